@@ -1,0 +1,28 @@
+# What our own programs (tests, examples, benchmarks) are built with; nothing of it reaches the users of the package.
+
+# Few compilations at a time: each needs 1 to 2 GB.
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS geodesic_remeshing_compile=${GEODESIC_REMESHING_JOBS})
+set(CMAKE_JOB_POOL_COMPILE geodesic_remeshing_compile)
+
+# ccache, allowed to trust precompiled headers (without the sloppiness it would never hit).
+find_program(GEODESIC_REMESHING_CCACHE ccache)
+if(GEODESIC_REMESHING_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${GEODESIC_REMESHING_CCACHE})
+endif()
+
+# CGAL comes in as an imported target, hence as a system folder: the warnings concern our code only.
+add_library(geodesic_remeshing_developer INTERFACE)
+target_link_libraries(geodesic_remeshing_developer INTERFACE Geodesic_remeshing::Geodesic_remeshing CGAL::Data)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(geodesic_remeshing_developer INTERFACE -Wall -Wextra -Wpedantic -Werror)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # a precompiled header without a time stamp is the same bytes each time, which ccache needs
+    target_compile_options(geodesic_remeshing_developer INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
+  if(GEODESIC_REMESHING_SANITIZE)
+    target_compile_options(geodesic_remeshing_developer INTERFACE
+      -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(geodesic_remeshing_developer INTERFACE -fsanitize=address,undefined)
+  endif()
+endif()

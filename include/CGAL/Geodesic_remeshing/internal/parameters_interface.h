@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+// No include guard on purpose: an X-macro list in the form of CGAL's own, included several times by named_parameters.h.
+// One line for each name that the package adds to those of CGAL: type of the tag, tag, name for the user.
+
+CGAL_add_named_parameter(use_segmentation_t, use_segmentation, use_segmentation)
+CGAL_add_named_parameter(vertex_weight_map_t, vertex_weight_map, vertex_weight_map)
