@@ -1,0 +1,42 @@
+# Sourced by the other scripts: where things are, and how a build folder is made.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+downloads=$root/build/downloads # everything that scripts/setup fetches; git ignores build/
+jobs=${GEODESIC_REMESHING_JOBS:-2}
+
+die()
+{
+  echo "$(basename "$0"): $*" >&2
+  exit 1
+}
+
+# The folder of CGALConfig.cmake and that of CGAL's example meshes. The caller's CGAL_DIR and CGAL_DATA_DIR win, then what
+# scripts/setup unpacked from the suite $1, then (both empty) what CMake finds by itself.
+find_cgal()
+{
+  local unpacked
+  unpacked=$(echo "$downloads/cgal-$1/root/usr/lib/"*/cmake/CGAL)
+  cgal_dir=${CGAL_DIR:-}
+  cgal_data=${CGAL_DATA_DIR:-}
+  if [ -z "$cgal_dir" ] && [ -f "$unpacked/CGALConfig.cmake" ]; then
+    cgal_dir=$unpacked
+    cgal_data=${cgal_data:-$downloads/cgal-$1/data}
+  fi
+}
+
+# build SUITE FOLDER TARGET [CMake options]: configures with the CGAL of the suite and builds; quiet unless something fails
+build()
+{
+  local suite=$1 folder=$2 target=$3 log
+  shift 3
+  find_cgal "$suite"
+  mkdir -p "$folder"
+  log=$folder/build.log
+  {
+    cmake -G Ninja -S "$root" -B "$folder" ${cgal_dir:+-DCGAL_DIR="$cgal_dir"} ${cgal_data:+-DCGAL_DATA_DIR="$cgal_data"} \
+      -DGEODESIC_REMESHING_JOBS="$jobs" "$@" && cmake --build "$folder" --target "$target"
+  } >"$log" 2>&1 || {
+    grep -E -A6 'error|Error|FAILED' "$log" | head -60 >&2 || true
+    die "building $target failed; everything is in ${log#"$root"/}"
+  }
+}
