@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_INTRINSIC_TRIANGULATION_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Geodesic_remeshing/internal/Intrinsic_faces.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// The intrinsic Delaunay triangulation of a surface, in the form that fast marching reads: for each vertex the lengths
+// of its spokes and of the rims between them, in one run of memory. A loop is a spoke that leads back, a multiple edge
+// occurs as often as it is there.
+class Intrinsic_triangulation
+{
+public:
+  using Index = std::uint32_t;
+
+  struct Spoke
+  {
+    double length;
+    double rim; // length of the side from this neighbor to that of the next spoke; negative if there is no face between them
+    Index neighbor;
+  };
+
+  // The surface as it lies in space.
+  explicit Intrinsic_triangulation(const Mesh& mesh)
+    : Intrinsic_triangulation(mesh, [&mesh](Halfedge h)
+                              { return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))); })
+  {}
+
+  // The surface in a metric of its own: a length for every edge, by index.
+  Intrinsic_triangulation(const Mesh& mesh, const std::vector<double>& length_of_edge)
+    : Intrinsic_triangulation(mesh, [&](Halfedge h) { return length_of_edge[mesh.edge(h)]; })
+  {}
+
+  // Any triangulated `FaceListGraph`, its indices possibly with gaps. A halfedge and its opposite must have the same
+  // length.
+  template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
+  Intrinsic_triangulation(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
+                          const Length_of_halfedge& length_of_halfedge)
+  {
+    Intrinsic_faces faces(index_bound(vertices(graph), vertex_index), index_bound(CGAL::faces(graph), face_index));
+    copy_faces(graph, vertex_index, face_index, length_of_halfedge, faces);
+    faces.enforce_triangle_inequality();
+    faces.make_Delaunay();
+    collect_spokes(faces);
+  }
+
+  std::size_t number_of_vertices() const { return m_first.size() - 1; }
+
+  // The spokes counterclockwise. Where faces close around the vertex, the first spoke stands at the end again; where
+  // they do not (boundary, several fans at one vertex), a negative rim separates.
+  const Spoke* begin(Index v) const { return m_spokes.data() + m_first[v]; }
+  const Spoke* end(Index v) const { return m_spokes.data() + m_first[v + 1]; }
+
+private:
+  template <typename Length_of_halfedge>
+  Intrinsic_triangulation(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge)
+    : Intrinsic_triangulation(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), length_of_halfedge)
+  {}
+
+  template <typename Range, typename IndexMap>
+  static std::size_t index_bound(const Range& range, IndexMap index)
+  {
+    std::size_t bound = 0;
+    for(const auto& x : range)
+      bound = (std::max)(bound, static_cast<std::size_t>(get(index, x)) + 1);
+    return bound;
+  }
+
+  template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
+  static void copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
+                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& faces);
+  void collect_spokes(const Intrinsic_faces& faces);
+  void collect_fan(const Intrinsic_faces& faces, Index start);
+
+  std::vector<std::size_t> m_first; // of the spokes of a vertex, and one more
+  std::vector<Spoke> m_spokes;
+};
+
+template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
+void Intrinsic_triangulation::copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
+                                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& faces)
+{
+  for(const auto f : CGAL::faces(graph))
+  {
+    const Index i = static_cast<Index>(get(face_index, f));
+    auto& triangle = faces.triangle(i);
+    auto h = halfedge(f, graph);
+    for(Index k = 0; k < 3; ++k, h = next(h, graph))
+    {
+      triangle.vertex[k] = static_cast<Index>(get(vertex_index, source(h, graph)));
+      const auto o = opposite(h, graph);
+      const bool seen = !is_border(o, graph) && faces.is_face(static_cast<Index>(get(face_index, face(o, graph))));
+      if(!seen || face(o, graph) == f)
+      {
+        triangle.length[k] = length_of_halfedge(h);
+        continue;
+      }
+      const Index j = static_cast<Index>(get(face_index, face(o, graph)));
+      const auto first = halfedge(face(o, graph), graph);
+      const Index slot = o == first ? 0 : o == next(first, graph) ? 1 : 2;
+      triangle.opposite[k] = 3 * j + slot;
+      triangle.length[k] = faces.triangle(j).length[slot];
+      faces.triangle(j).opposite[slot] = 3 * i + k;
+    }
+  }
+}
+
+// A fan of faces is walked from its first halfedge, the one with no face at its right, or from any one where it closes.
+inline void Intrinsic_triangulation::collect_spokes(const Intrinsic_faces& faces)
+{
+  const Index none = Intrinsic_faces::none;
+  const Index number_of_halfedges = static_cast<Index>(3 * faces.number_of_faces());
+  std::vector<Index> start(faces.number_of_vertices(), none);
+  std::vector<std::pair<Index, Index>> more_starts; // vertices at which several fans meet have more than one
+  for(Index h = 0; h < number_of_halfedges; ++h)
+  {
+    if(!faces.is_face(h / 3))
+      continue;
+    const Index v = faces.source(h);
+    if(faces.opposite(h) != none)
+      start[v] = start[v] == none ? h : start[v];
+    else if(start[v] == none || faces.opposite(start[v]) != none)
+      start[v] = h;
+    else
+      more_starts.emplace_back(v, h);
+  }
+  std::sort(more_starts.begin(), more_starts.end());
+
+  m_first.reserve(start.size() + 1);
+  m_spokes.reserve(number_of_halfedges + start.size() + more_starts.size());
+  auto more = more_starts.begin();
+  for(Index v = 0; v < start.size(); ++v)
+  {
+    m_first.push_back(m_spokes.size());
+    if(start[v] != none)
+      collect_fan(faces, start[v]);
+    for(; more != more_starts.end() && more->first == v; ++more)
+      collect_fan(faces, more->second);
+  }
+  m_first.push_back(m_spokes.size());
+}
+
+inline void Intrinsic_triangulation::collect_fan(const Intrinsic_faces& faces, Index start)
+{
+  const auto add = [&](Index h, double rim, Index neighbor) { m_spokes.push_back(Spoke{faces.length(h), rim, neighbor}); };
+  for(Index h = start;;)
+  {
+    const Index target = Intrinsic_faces::next(h);
+    const Index left = Intrinsic_faces::previous(h);
+    add(h, faces.length(target), faces.source(target));
+    h = faces.opposite(left);
+    if(h == Intrinsic_faces::none)
+      return add(left, -1., faces.source(left));
+    if(h == start)
+      return add(start, -1., faces.source(Intrinsic_faces::next(start)));
+  }
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_INTRINSIC_TRIANGULATION_H
