@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OUTPUT_H
+#define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OUTPUT_H
+
+#include "../include/mesh_quality.h"
+#include "system.h"
+
+#include <CGAL/Surface_mesh/IO.h>
+#include <CGAL/boost/graph/IO/GOCAD.h>
+#include <CGAL/boost/graph/IO/OBJ.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+#include <CGAL/boost/graph/IO/STL.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace command_line {
+
+// exit status 3
+struct Output_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// The files of one run: each is written beside its place under another name, and all are put into their places at the end,
+// so that nobody ever sees half a file, nor files of a run that failed.
+class Output_files
+{
+public:
+  Output_files() = default;
+  Output_files(const Output_files&) = delete;
+  Output_files& operator=(const Output_files&) = delete;
+
+  ~Output_files()
+  {
+    std::error_code ignored;
+    for (const auto& file : files_)
+      std::filesystem::remove(file.temporary, ignored);
+  }
+
+  // Called before the work begins: fails at once if the place cannot be written to.
+  void announce(const std::string& name)
+  {
+    namespace fs = std::filesystem;
+    const fs::path place(name);
+    std::error_code error;
+    // renaming a file onto a device would replace the device
+    if (fs::exists(place, error) && !fs::is_regular_file(place, error))
+      throw Output_error(name + " cannot be written: not a regular file");
+    for (const auto& file : files_)
+      if (file.place == place)
+        throw Output_error(name + " is asked for twice");
+    fs::path temporary = place;
+    temporary.replace_filename("." + place.filename().string() + "." + process_id());
+    if (!std::ofstream(temporary))
+      throw Output_error(name + " cannot be written");
+    files_.push_back({place, temporary});
+  }
+
+  // `write` is given a stream; the file counts as written only if all of it reached the disk.
+  template <class Write> void write(const std::string& name, const Write& write) const
+  {
+    for (const auto& file : files_) {
+      if (file.place != name)
+        continue;
+      std::ofstream stream(file.temporary, std::ios::binary);
+      stream.precision(17);
+      write(stream);
+      stream.close();
+      if (!stream)
+        throw Output_error(name + " cannot be written");
+    }
+  }
+
+  void put_into_place()
+  {
+    for (const auto& file : files_) {
+      std::error_code error;
+      std::filesystem::rename(file.temporary, file.place, error);
+      if (error)
+        throw Output_error(file.place.string() + " cannot be written: " + error.message());
+    }
+    files_.clear();
+  }
+
+private:
+  struct File
+  {
+    std::filesystem::path place;
+    std::filesystem::path temporary;
+  };
+  std::vector<File> files_;
+};
+
+using Mesh_writer = void (*)(std::ostream&, const mesh_quality::Mesh&);
+
+// How to write the format that the ending of the name tells; throws if there is none. With all digits where the format is
+// text: reading the file gives the same coordinates.
+inline Mesh_writer mesh_writer(const std::string& file_name)
+{
+  using Mesh = mesh_quality::Mesh;
+  const std::string ending = CGAL::IO::internal::get_file_extension(file_name);
+  if (ending == "off")
+    return [](std::ostream& out, const Mesh& mesh) {
+      CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(17));
+    };
+  if (ending == "obj")
+    return [](std::ostream& out, const Mesh& mesh) {
+      CGAL::IO::write_OBJ(out, mesh, CGAL::parameters::stream_precision(17));
+    };
+  if (ending == "ply")
+    return [](std::ostream& out, const Mesh& mesh) {
+      CGAL::IO::set_binary_mode(out);
+      CGAL::IO::write_PLY(out, mesh);
+    };
+  if (ending == "stl")
+    return [](std::ostream& out, const Mesh& mesh) {
+      CGAL::IO::set_binary_mode(out);
+      CGAL::IO::write_STL(out, mesh);
+    };
+  if (ending == "ts")
+    return [](std::ostream& out, const Mesh& mesh) {
+      CGAL::IO::write_GOCAD(out, mesh, CGAL::parameters::stream_precision(17));
+    };
+  throw Output_error(file_name + " cannot be written: its ending is none of .off, .obj, .ply, .stl, .ts");
+}
+
+} // namespace command_line
+
+#endif // CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OUTPUT_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+// Remeshes a file: see --help. The table goes to standard output, the progress and the one line about an error to standard
+// error; the exit status tells whose fault it was.
+
+#include "command_line/input.h"
+#include "command_line/options.h"
+#include "command_line/output.h"
+#include "command_line/progress.h"
+#include "command_line/report.h"
+
+#include <CGAL/Geodesic_remeshing/named_parameters.h>
+#include <CGAL/Timer.h>
+#include <CGAL/geodesic_remeshing.h>
+#include <CGAL/version.h>
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+namespace GR = CGAL::Geodesic_remeshing;
+using command_line::Mesh;
+using command_line::Options;
+using command_line::Report;
+
+enum Exit_status { done = 0, wrong_usage = 1, bad_input = 2, cannot_remesh = 3 };
+
+const std::string version = "geodesic_remesh " GEODESIC_REMESHING_VERSION " (CGAL " CGAL_VERSION_STR ")";
+
+template <class NamedParameters>
+GR::Summary remesh_to_target(const Mesh& input, const Options& options, Mesh& output, const NamedParameters& np)
+{
+  if (options.vertices)
+    return CGAL::geodesic_remeshing(input, *options.vertices, output, np);
+  if (options.faces)
+    return CGAL::geodesic_remeshing(input, GR::Number_of_faces{*options.faces}, output, np);
+  return CGAL::geodesic_remeshing(input, GR::Edge_length{*options.edge_length}, output, np);
+}
+
+GR::Summary remesh(const Mesh& input, const Options& options, Mesh& output)
+{
+  command_line::Progress progress(options.quiet);
+  const auto np = GR::parameters::use_segmentation(options.use_segmentation).visitor(std::ref(progress));
+  if (options.iterations)
+    return remesh_to_target(input, options, output, np.number_of_iterations(*options.iterations));
+  return remesh_to_target(input, options, output, np);
+}
+
+void run(const Options& options)
+{
+  const auto write_output = command_line::mesh_writer(options.output);
+  const Mesh input = command_line::read_mesh(options.input);
+  command_line::Output_files files;
+  files.announce(options.output);
+  if (!options.report.empty())
+    files.announce(options.report);
+
+  Mesh output;
+  Report report;
+  CGAL::Timer timer;
+  timer.start();
+  report.summary = remesh(input, options, output);
+  report.seconds = timer.time();
+
+  files.write(options.output, [&](std::ostream& out) { write_output(out, output); });
+  const bool is_measured = !options.quiet || !options.report.empty();
+  if (is_measured) {
+    report.input = mesh_quality::measure_quality(input);
+    report.output = mesh_quality::measure_quality(output);
+    report.distance = mesh_quality::measure_distance(input, output, 100000);
+  }
+  if (!options.report.empty())
+    files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
+  files.put_into_place();
+  if (!options.quiet)
+    command_line::write_table(std::cout, report);
+}
+
+int complain(const std::string& message, Exit_status status)
+{
+  std::cerr << "geodesic_remesh: " << message << "\n";
+  return status;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  // what CGAL would write before it throws is in the exception as well, and ours is to be the only line
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  try {
+    if (const auto options = command_line::read_options(argc, argv, version))
+      run(*options);
+    return done;
+  } catch (const command_line::Usage_error& error) {
+    return complain(error.what(), wrong_usage);
+  } catch (const command_line::Input_error& error) {
+    return complain(error.what(), bad_input);
+  } catch (const std::invalid_argument& error) {
+    return complain(error.what(), bad_input);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", cannot_remesh);
+  } catch (const std::exception& error) {
+    std::string message = error.what();
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    return complain(message, cannot_remesh);
+  }
+}

@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_MESH_QUALITY_H
+#define CGAL_GEODESIC_REMESHING_EXAMPLES_MESH_QUALITY_H
+
+// How good a triangle mesh is, and how far it is from another one. One and the same code measures what the command-line
+// program reports and what the benchmarks compare.
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace mesh_quality {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+struct Quality
+{
+  std::size_t vertices = 0; // isolated ones are not counted
+  std::size_t faces = 0;
+  std::size_t components = 0;
+  std::size_t genus = 0; // the sum over the components
+  std::size_t boundary_loops = 0;
+  double min_angle = 180.; // angles in degrees
+  double mean_min_angle = 0.; // over the faces
+  double percent_below_30 = 0.; // faces with an angle below 30 degrees
+  double percent_irregular = 0.; // inner vertices with other than six neighbours
+  double diagonal = 0.; // of the bounding box
+};
+
+// Distances in percent of the diagonal of the reference
+struct Distance
+{
+  double hausdorff_percent = 0.; // the larger of both directions, sampled
+  double rms_percent = 0.; // from the reference to the mesh
+  double rms_back_percent = 0.; // from the mesh to the reference
+  double vertices_percent = 0.; // the farthest vertex of the mesh from the reference
+};
+
+inline double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+inline std::array<Point, 3> corners(const Mesh& mesh, Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return {{mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))}};
+}
+
+inline double smallest_angle(const std::array<Point, 3>& p)
+{
+  const double twice_area = std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length());
+  double smallest = CGAL_PI;
+  for (int i = 0; i < 3; ++i)
+    smallest = (std::min)(smallest, std::atan2(twice_area, (p[(i + 1) % 3] - p[i]) * (p[(i + 2) % 3] - p[i])));
+  return smallest * 180. / CGAL_PI;
+}
+
+namespace internal {
+
+inline void measure_angles(const Mesh& mesh, Quality& quality)
+{
+  std::size_t below_30 = 0;
+  for (const auto f : mesh.faces()) {
+    const double angle = smallest_angle(corners(mesh, f));
+    quality.min_angle = (std::min)(quality.min_angle, angle);
+    quality.mean_min_angle += angle;
+    below_30 += angle < 30.;
+  }
+  quality.mean_min_angle /= static_cast<double>(mesh.number_of_faces());
+  quality.percent_below_30 = 100. * static_cast<double>(below_30) / static_cast<double>(mesh.number_of_faces());
+}
+
+inline void measure_valences(const Mesh& mesh, Quality& quality)
+{
+  std::size_t inner = 0;
+  std::size_t irregular = 0;
+  for (const auto v : mesh.vertices()) {
+    if (mesh.is_isolated(v))
+      continue;
+    ++quality.vertices;
+    if (mesh.is_border(v))
+      continue;
+    ++inner;
+    irregular += mesh.degree(v) != 6;
+  }
+  quality.percent_irregular = inner == 0 ? 0. : 100. * static_cast<double>(irregular) / static_cast<double>(inner);
+}
+
+inline std::size_t number_of_boundary_loops(const Mesh& mesh)
+{
+  std::vector<bool> seen(mesh.num_halfedges(), false);
+  std::size_t loops = 0;
+  for (const auto start : mesh.halfedges()) {
+    if (!mesh.is_border(start) || seen[start.idx()])
+      continue;
+    ++loops;
+    for (auto h = start; !seen[h.idx()]; h = mesh.next(h))
+      seen[h.idx()] = true;
+  }
+  return loops;
+}
+
+inline void measure_topology(const Mesh& mesh, Quality& quality)
+{
+  std::vector<std::size_t> ids(mesh.num_faces());
+  const auto face_ids = boost::make_function_property_map<Mesh::Face_index>(
+      [&ids](Mesh::Face_index f) -> std::size_t& { return ids[f.idx()]; });
+  quality.components = CGAL::Polygon_mesh_processing::connected_components(mesh, face_ids);
+  quality.boundary_loops = number_of_boundary_loops(mesh);
+  // V - E + F = 2 components - 2 genus - loops
+  const std::size_t twice_genus = 2 * quality.components + mesh.number_of_edges() - quality.boundary_loops -
+                                  quality.vertices - mesh.number_of_faces();
+  quality.genus = twice_genus / 2;
+}
+
+} // namespace internal
+
+inline Quality measure_quality(const Mesh& mesh)
+{
+  Quality quality;
+  quality.faces = mesh.number_of_faces();
+  quality.diagonal = diagonal(mesh);
+  internal::measure_angles(mesh, quality);
+  internal::measure_valences(mesh, quality);
+  internal::measure_topology(mesh, quality);
+  return quality;
+}
+
+// The points of a surface that are nearest to given ones
+class Closest_point
+{
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+
+public:
+  explicit Closest_point(const Mesh& mesh)
+  {
+    // A face without area adds nothing to the surface, and has no plane to project on.
+    std::vector<Mesh::Face_index> faces;
+    faces.reserve(mesh.number_of_faces());
+    for (const auto f : mesh.faces()) {
+      const auto p = corners(mesh, f);
+      if (!CGAL::collinear(p[0], p[1], p[2]))
+        faces.push_back(f);
+    }
+    tree_.rebuild(faces.begin(), faces.end(), mesh);
+    tree_.build();
+    if (!faces.empty())
+      last_ = {corners(mesh, faces.front())[0], faces.front()};
+  }
+
+  // Queries are fast when each is near the one before: the answer to that one bounds the search.
+  double distance(const Point& query)
+  {
+    if (tree_.empty())
+      return 0.;
+    last_ = tree_.closest_point_and_primitive(query, last_);
+    return std::sqrt(CGAL::squared_distance(query, last_.first));
+  }
+
+private:
+  Tree tree_;
+  Tree::Point_and_primitive_id last_;
+};
+
+struct One_sided_distance
+{
+  double maximum = 0.;
+  double root_mean_square = 0.;
+};
+
+inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t largest_number)
+{
+  const std::size_t stride = 1 + from.number_of_vertices() / largest_number;
+  double farthest = 0.;
+  std::size_t count = 0;
+  for (const auto v : from.vertices())
+    if (!from.is_isolated(v) && count++ % stride == 0)
+      farthest = (std::max)(farthest, to.distance(from.point(v)));
+  return farthest;
+}
+
+// Samples at equal steps of area, placed in their faces by a sequence of low discrepancy: no random numbers, so that the
+// same meshes give the same figures.
+inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to, std::size_t number_of_samples)
+{
+  std::vector<double> areas;
+  double total_area = 0.;
+  for (const auto f : from.faces()) {
+    const auto p = corners(from, f);
+    areas.push_back(std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length()) / 2.);
+    total_area += areas.back();
+  }
+  One_sided_distance result;
+  double sum_of_squares = 0.;
+  double area_before = 0.;
+  std::size_t samples = 0;
+  std::size_t index = 0;
+  for (const auto f : from.faces()) {
+    const auto p = corners(from, f);
+    area_before += areas[index++];
+    while (samples < number_of_samples &&
+           (static_cast<double>(samples) + .5) * total_area < area_before * static_cast<double>(number_of_samples)) {
+      ++samples;
+      // the additive sequence of the plastic number, folded into the triangle
+      double u = std::fmod(.7548776662466927 * static_cast<double>(samples), 1.);
+      double v = std::fmod(.5698402909980532 * static_cast<double>(samples), 1.);
+      if (u + v > 1.) {
+        u = 1. - u;
+        v = 1. - v;
+      }
+      const double distance = to.distance(p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]));
+      sum_of_squares += distance * distance;
+      result.maximum = (std::max)(result.maximum, distance);
+    }
+  }
+  result.root_mean_square = samples == 0 ? 0. : std::sqrt(sum_of_squares / static_cast<double>(samples));
+  return result;
+}
+
+inline Distance measure_distance(const Mesh& reference, const Mesh& mesh, std::size_t number_of_samples = 200000)
+{
+  Closest_point on_reference(reference);
+  Closest_point on_mesh(mesh);
+  const One_sided_distance there = one_sided_distance(reference, on_mesh, number_of_samples);
+  const One_sided_distance back = one_sided_distance(mesh, on_reference, number_of_samples);
+  const double vertices_there = farthest_vertex(reference, on_mesh, number_of_samples);
+  const double vertices_back = farthest_vertex(mesh, on_reference, number_of_samples);
+
+  const double to_percent = 100. / diagonal(reference);
+  Distance distance;
+  distance.hausdorff_percent = to_percent * (std::max)({there.maximum, back.maximum, vertices_there, vertices_back});
+  distance.rms_percent = to_percent * there.root_mean_square;
+  distance.rms_back_percent = to_percent * back.root_mean_square;
+  distance.vertices_percent = to_percent * vertices_back;
+  return distance;
+}
+
+} // namespace mesh_quality
+
+#endif // CGAL_GEODESIC_REMESHING_EXAMPLES_MESH_QUALITY_H

@@ -1,0 +1,339 @@
+// The promises of geodesic_remesh to scripts and users: exit status, one line about an error, output whole or not at all.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+struct Outcome
+{
+  int status;
+  std::string out;
+  std::string err;
+};
+
+const char* const tetrahedron_points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+// Each test has an empty folder for its files and another one for what the program writes.
+class Command_line : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder = fs::temp_directory_path() / ("geodesic_remesh." + std::to_string(getpid()) + "." + test->name());
+    fs::create_directories(folder / "written");
+  }
+
+  void TearDown() override { fs::remove_all(folder); }
+
+  Outcome run(const std::string& arguments) const
+  {
+    const std::string command = std::string("'") + GEODESIC_REMESH_PROGRAM + "' " + arguments + " >'" +
+                                (folder / "stdout").string() + "' 2>'" + (folder / "stderr").string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "stdout"), contents(folder / "stderr")};
+  }
+
+  std::string file(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(folder / name, std::ios::binary) << text;
+    return (folder / name).string();
+  }
+
+  std::string output(const std::string& name = "out.off") const { return (folder / "written" / name).string(); }
+
+  // the error is one line, nothing is on standard output, and no file has appeared
+  void expect_failure(const std::string& arguments, int status, const std::string& words) const
+  {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(fs::is_empty(folder / "written"));
+  }
+
+  void expect_bad_input(const std::string& input, const std::string& words) const
+  {
+    expect_failure("'" + input + "' '" + output() + "' --vertices 100", 2, words);
+  }
+
+  fs::path folder;
+};
+
+std::string mesh(const std::string& name)
+{
+  return std::string(MESHES_FOLDER "/") + name + ".off";
+}
+
+std::array<std::size_t, 2> vertices_and_faces_of_off(const std::string& name)
+{
+  std::ifstream in(name);
+  std::string word;
+  std::array<std::size_t, 2> counts{};
+  in >> word >> counts[0] >> counts[1];
+  EXPECT_EQ(word, "OFF");
+  return counts;
+}
+
+// A binary PLY of an OFF, with every bit of the coordinates
+std::string ply_of_off(const std::string& name)
+{
+  std::ifstream in(name);
+  std::string word;
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::size_t edges = 0;
+  in >> word >> vertices >> faces >> edges;
+  std::ostringstream out;
+  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << vertices
+      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << faces
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t i = 0; i < 3 * vertices; ++i) {
+    double coordinate = 0.;
+    in >> coordinate;
+    out.write(reinterpret_cast<const char*>(&coordinate), sizeof(coordinate));
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    int size = 0;
+    in >> size;
+    out.put(static_cast<char>(size));
+    for (int i = 0; i < size; ++i) {
+      int vertex = 0;
+      in >> vertex;
+      out.write(reinterpret_cast<const char*>(&vertex), sizeof(vertex));
+    }
+  }
+  return out.str();
+}
+
+} // namespace
+
+TEST_F(Command_line, exact_number_of_vertices)
+{
+  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 1000");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("Hausdorff"), std::string::npos);
+  const auto counts = vertices_and_faces_of_off(output());
+  EXPECT_EQ(counts[0], 1000u);
+  EXPECT_EQ(counts[1], 2 * (1000u + 2u)); // genus 2
+}
+
+TEST_F(Command_line, exact_number_of_faces)
+{
+  EXPECT_EQ(run(mesh("eight") + " " + output() + " --faces 2000").status, 0);
+  EXPECT_EQ(vertices_and_faces_of_off(output())[1], 2000u);
+}
+
+TEST_F(Command_line, edge_length_is_kept_on_average)
+{
+  EXPECT_EQ(run(mesh("eight") + " " + output() + " --edge-length 0.02 --report " + output("r.json")).status, 0);
+  const auto report = nlohmann::json::parse(contents(output("r.json")));
+  EXPECT_DOUBLE_EQ(report["edge_length"].get<double>(), 0.02);
+}
+
+TEST_F(Command_line, report_has_all_keys)
+{
+  ASSERT_EQ(run(mesh("eight") + " " + output() + " --vertices 1000 --quiet --report " + output("r.json")).status, 0);
+  const auto report = nlohmann::json::parse(contents(output("r.json")));
+  for (const char* side : {"input", "output"}) {
+    for (const char* key : {"vertices", "faces", "components", "genus", "boundary_loops", "min_angle", "mean_min_angle",
+                            "percent_below_30", "percent_irregular"})
+      EXPECT_TRUE(report[side].contains(key)) << side << " " << key;
+    EXPECT_EQ(report[side]["genus"], 2);
+    EXPECT_EQ(report[side]["components"], 1);
+    EXPECT_EQ(report[side]["boundary_loops"], 0);
+  }
+  EXPECT_EQ(report["output"]["vertices"], 1000);
+  EXPECT_GT(report["output"]["hausdorff_percent"].get<double>(), 0.);
+  EXPECT_GE(report["output"]["hausdorff_percent"].get<double>(), report["output"]["rms_percent"].get<double>());
+  for (const char* key : {"edge_length", "regions", "curves", "strips"})
+    EXPECT_GT(report[key].get<double>(), 0.) << key;
+  EXPECT_TRUE(report["seconds"].contains("total"));
+  EXPECT_GE(report["seconds"].size(), 2u);
+}
+
+TEST_F(Command_line, quiet_says_nothing)
+{
+  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 500 --quiet");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST_F(Command_line, every_format_is_written)
+{
+  for (const char* name : {"out.off", "out.obj", "out.ply", "out.stl", "out.ts"}) {
+    EXPECT_EQ(run(mesh("eight") + " " + output(name) + " --vertices 500 --quiet").status, 0);
+    EXPECT_GT(fs::file_size(output(name)), 500u);
+    // and read again
+    EXPECT_EQ(run(output(name) + " " + output("again.off") + " --vertices 400 --quiet").status, 0) << name;
+    EXPECT_EQ(vertices_and_faces_of_off(output("again.off"))[0], 400u);
+  }
+}
+
+TEST_F(Command_line, same_bytes_again_and_from_another_format)
+{
+  const std::string as_ply = file("eight.ply", ply_of_off(mesh("eight")));
+  EXPECT_EQ(run(mesh("eight") + " " + output("a.off") + " --vertices 1000 --quiet").status, 0);
+  EXPECT_EQ(run(mesh("eight") + " " + output("b.off") + " --vertices 1000 --quiet").status, 0);
+  EXPECT_EQ(run(as_ply + " " + output("c.off") + " --vertices 1000 --quiet").status, 0);
+  EXPECT_EQ(contents(output("a.off")), contents(output("b.off")));
+  EXPECT_EQ(contents(output("a.off")), contents(output("c.off")));
+}
+
+TEST_F(Command_line, output_may_be_the_input)
+{
+  fs::copy_file(mesh("eight"), output("eight.off"));
+  EXPECT_EQ(run(output("eight.off") + " " + output("eight.off") + " --vertices 600 --quiet").status, 0);
+  EXPECT_EQ(vertices_and_faces_of_off(output("eight.off"))[0], 600u);
+}
+
+TEST_F(Command_line, help_and_version)
+{
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.status, 0);
+  for (const char* option : {"--vertices", "--faces", "--edge-length", "--no-segmentation", "--iterations", "--report",
+                             "--regions", "--curves", "--quiet", "--help", "--version"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option;
+  EXPECT_EQ(run("--version").status, 0);
+}
+
+TEST_F(Command_line, wrong_usage)
+{
+  const std::string files = mesh("eight") + " " + output();
+  expect_failure("", 1, "INPUT and OUTPUT");
+  expect_failure(mesh("eight") + " --vertices 100", 1, "INPUT and OUTPUT");
+  expect_failure(files, 1, "exactly one");
+  expect_failure(files + " --vertices 100 --faces 100", 1, "exactly one");
+  expect_failure(files + " --vertices -5", 1, "vertices");
+  expect_failure(files + " --vertices 3", 1, "at least 4");
+  expect_failure(files + " --vertices 1e3", 1, "vertices");
+  expect_failure(files + " --vertices many", 1, "vertices");
+  expect_failure(files + " --vertices 99999999999999999999999", 1, "vertices");
+  expect_failure(files + " --vertices", 1, "vertices");
+  expect_failure(files + " --edge-length 0", 1, "positive");
+  expect_failure(files + " --edge-length nan", 1, "positive");
+  expect_failure(files + " --iterations=-1 --vertices 100", 1, "iterations");
+  expect_failure(files + " --vert 100", 1, "vert");
+  expect_failure(files + " more.off --vertices 100", 1, "too many");
+}
+
+TEST_F(Command_line, option_that_does_not_exist_yet_is_refused)
+{
+  const std::string usual = mesh("eight") + " " + output() + " --vertices 100 ";
+  for (const char* option : {"--contrast 0.5", "--gaussian-weight 1", "--mean-weight 1", "--gradation 1",
+                             "--sizing s.txt", "--feature-angle 60", "--fit", "--threads 2"})
+    expect_failure(usual + option, 1, "unrecognised option");
+}
+
+TEST_F(Command_line, unreadable_input)
+{
+  expect_bad_input((folder / "missing.off").string(), "cannot be opened");
+  expect_bad_input(folder.string(), "cannot be read");
+  expect_bad_input(file("a.xyz", "0 0 0\n"), "cannot be read");
+  expect_bad_input(file("a.off", "this is no mesh\n"), "cannot be read");
+  expect_bad_input(file("truncated.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n"), "truncated.off");
+  expect_bad_input(file("huge.off", "OFF\n4000000000000 4 0\n0 0 0\n1 0 0\n"), "huge.off");
+  expect_bad_input(file("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"), "a.ply");
+}
+
+TEST_F(Command_line, empty_input)
+{
+  expect_bad_input(file("empty.off", ""), "empty.off");
+  expect_bad_input(file("nothing.off", "OFF\n0 0 0\n"), "nothing.off");
+  expect_bad_input(file("points.off", std::string("OFF\n4 0 0\n") + tetrahedron_points), "points.off");
+}
+
+TEST_F(Command_line, input_that_is_not_triangulated)
+{
+  expect_bad_input(file("quad.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n"
+                                    "4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"),
+                   "face 0 has 4 vertices");
+}
+
+TEST_F(Command_line, input_with_a_boundary)
+{
+  expect_bad_input(file("open.off", std::string("OFF\n4 3 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n"),
+                   "boundary");
+}
+
+TEST_F(Command_line, input_with_a_coordinate_that_is_not_finite)
+{
+  std::string ply = ply_of_off(
+      file("t.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t body = ply.find("end_header\n") + std::strlen("end_header\n");
+  std::memcpy(&ply[body + 3 * sizeof(double)], &nan, sizeof(nan));
+  expect_bad_input(file("nan.ply", ply), "vertex 1");
+  expect_bad_input(file("nan.off", "OFF\n4 4 0\n0 0 0\nnan 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+                   "nan.off");
+}
+
+TEST_F(Command_line, input_that_is_not_manifold)
+{
+  expect_bad_input(file("fin.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n"
+                                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n"),
+                   "edge (0, 1) has 3 faces");
+  // two tetrahedra that share the vertex 0 only
+  expect_bad_input(file("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
+                                      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n"),
+                   "vertex 0");
+  expect_bad_input(file("turned.off", std::string("OFF\n4 4 0\n") + tetrahedron_points +
+                                        "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+                   "not oriented");
+  expect_bad_input(file("twice.off", std::string("OFF\n4 4 0\n") + tetrahedron_points +
+                                       "3 0 2 1\n3 0 1 1\n3 1 2 3\n3 2 0 3\n"),
+                   "twice.off");
+  expect_bad_input(file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points +
+                                       "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n"),
+                   "index.off");
+}
+
+TEST_F(Command_line, fewer_vertices_than_the_topology_needs)
+{
+  expect_failure(mesh("eight") + " " + output() + " --vertices 4", 3, "");
+}
+
+TEST_F(Command_line, output_that_cannot_be_written)
+{
+  const std::string input = mesh("eight");
+  expect_failure(input + " " + output("no/such/folder/out.off") + " --vertices 100", 3, "cannot be written");
+  expect_failure(input + " " + output("out.xyz") + " --vertices 100", 3, "cannot be written");
+  expect_failure(input + " " + output("out") + " --vertices 100", 3, "cannot be written");
+  expect_failure(input + " " + output() + " --vertices 100 --report " + output("no/r.json"), 3, "cannot be written");
+  expect_failure(input + " " + output() + " --vertices 100 --report " + output(), 3, "twice");
+  fs::create_directory(folder / "folder.off");
+  expect_failure(input + " " + (folder / "folder.off").string() + " --vertices 100", 3, "not a regular file");
+}
+
+TEST_F(Command_line, output_of_before_survives_a_failure)
+{
+  const std::string kept = file("kept.off", "something");
+  EXPECT_EQ(run(mesh("eight") + " " + kept + " --vertices 4").status, 3);
+  EXPECT_EQ(contents(kept), "something");
+}
