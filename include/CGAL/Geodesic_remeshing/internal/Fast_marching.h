@@ -123,6 +123,11 @@ private:
   template <Front_shape shape, typename Domain>
   void spread_from(Index v, const Domain& domain, double maximum_distance);
 
+  static bool is_obtuse(double side_a, double side_b, double base)
+  {
+    return side_a * side_a + side_b * side_b < base * base;
+  }
+
   template <Front_shape shape>
   static double across(double from_a, double from_b, double base, double side_a, double side_b);
 
@@ -167,9 +172,9 @@ void Fast_marching::spread_from(Index v, const Domain& domain, double maximum_di
     if(spoke->rim >= 0.)
     {
       const State& c = m_state[spoke[1].neighbor];
-      if(c.is_settled && b.distance > here)
+      if(c.is_settled && (b.distance > here || is_obtuse(spoke->length, spoke->rim, spoke[1].length)))
         best = (std::min)(best, across<shape>(here, c.distance, spoke[1].length, spoke->length, spoke->rim));
-      if(b.is_settled && c.distance > here)
+      if(b.is_settled && (c.distance > here || is_obtuse(spoke[1].length, spoke->rim, spoke->length)))
         beyond_previous_face = across<shape>(here, b.distance, spoke->length, spoke[1].length, spoke->rim);
     }
     if(best < b.distance && best <= maximum_distance && domain(Vertex(spoke->neighbor)))
