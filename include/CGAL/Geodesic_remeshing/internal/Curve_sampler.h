@@ -1,0 +1,381 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H
+
+#include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
+#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// A vertex of the mesh to come
+struct Sample
+{
+  Face face;       // of the working surface, where the search for its place in it begins
+  Place place;     // on the input surface
+  Point point;
+  bool is_pinned;  // the root and the tips stay where they are
+  int region, level; // of its curve; level 0: on a top, a bridge, the root
+};
+
+// Distributes the vertices of the new mesh over the curves (paper, section 6): first the root, the tips and the bridges with
+// their T-junctions, then each curve, from the tops down, at equal distances and with the phase that puts each
+// vertex opposite the middle of an edge of the curve before.
+class Curve_sampler
+{
+public:
+  // `edge_length` is the length the mesh aims at, `spacing` the one along the curves: a little different from it so
+  // that the number of samples is the wanted number of vertices.
+  Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
+                const Level_curves& curves, double edge_length, double spacing, std::size_t expected)
+    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_segmentation(segmentation), m_curves(curves),
+      m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected)
+  {
+    m_samples.reserve(expected + expected / 8);
+    m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
+  }
+
+  std::vector<Sample> run(const std::vector<Vertex>& roots)
+  {
+    for(Vertex r : roots)
+      add_vertex(r, true);
+    for(Vertex v : m_segmentation.tips)
+      add_vertex(v, true);
+    for(const auto& bridge : m_segmentation.bridges)
+      sample_bridge(bridge);
+    for(std::size_t c = 0; c < m_curves.curves.size(); ++c)
+      sample_curve(c);
+    add_peaks();
+    return std::move(m_samples);
+  }
+
+private:
+  // A point of a polyline on the working surface
+  struct Path_point
+  {
+    Point point;
+    Halfedge halfedge;
+    double position;
+  };
+
+  // ---- the single samples
+
+  // A sample is refused where another is nearer than this: rows of samples where two curves almost touch only make needles.
+  // On one curve samples keep their own distance, which in a thin tube may be smaller.
+  double smallest_distance() const { return .5 * m_edge_length; }
+
+  bool is_free(const Point& p, std::ptrdiff_t first_of_curve) const
+  {
+    bool free = true;
+    m_grid.near(p, smallest_distance(), [&](std::uint32_t id, const Point&, double)
+                { free = free && static_cast<std::ptrdiff_t>(id) >= first_of_curve; });
+    return free;
+  }
+
+  void add(const Sample& sample)
+  {
+    m_grid.insert(sample.point, static_cast<std::uint32_t>(m_samples.size()));
+    m_samples.push_back(sample);
+  }
+
+  bool add_vertex(Vertex v, bool is_pinned)
+  {
+    if(!is_free(m_mesh.point(v), static_cast<std::ptrdiff_t>(m_samples.size())))
+      return false;
+    const Face f = m_mesh.face(m_mesh.halfedge(v));
+    add(Sample{f, m_working.place[v], m_mesh.point(v), is_pinned, m_segmentation.field_region[v], 0});
+    return true;
+  }
+
+  Sample sample_between(const Path_point& a, const Path_point& b, double t, int region, int level) const
+  {
+    // both points lie on edges of the face of a's halfedge
+    const Face f = m_mesh.face(a.halfedge);
+    std::array<double, 3> weights = {{0., 0., 0.}};
+    const auto corners = vertices_of(m_mesh, f);
+    const auto put = [&](const Path_point& p, double w)
+    {
+      for(int i = 0; i < 3; ++i)
+        weights[i] += w * (corners[i] == m_mesh.source(p.halfedge) ? 1. - p.position
+                         : corners[i] == m_mesh.target(p.halfedge) ? p.position : 0.);
+    };
+    put(a, 1. - t);
+    put(b, t);
+    const Place place = place_on_input(m_surface, m_working, f, weights);
+    return Sample{f, place, internal::point_at(m_surface, place), false, region, level};
+  }
+
+  // ---- polylines
+
+  void set_path(const std::vector<Path_point>& path, bool is_closed)
+  {
+    m_path = path;
+    if(is_closed)
+      m_path.push_back(path.front());
+    m_length.assign(1, 0.);
+    for(std::size_t i = 1; i < m_path.size(); ++i)
+      m_length.push_back(m_length.back() + std::sqrt(CGAL::squared_distance(m_path[i - 1].point, m_path[i].point)));
+  }
+
+  Sample sample_at(double s, int region, int level) const
+  {
+    std::size_t i = std::upper_bound(m_length.begin(), m_length.end(), s) - m_length.begin();
+    i = (std::min)((std::max)(i, std::size_t(1)), m_length.size() - 1);
+    const double l = m_length[i] - m_length[i - 1];
+    const double t = l > 0. ? (std::min)(1., (std::max)(0., (s - m_length[i - 1]) / l)) : 0.;
+    return sample_between(m_path[i - 1], m_path[i], t, region, level);
+  }
+
+  // ---- bridges
+
+  // The first crossing met on the way along an edge, if any
+  bool first_crossing(Vertex from, Vertex to, std::size_t& crossing, double& position) const
+  {
+    const Halfedge h = m_mesh.halfedge(from, to);
+    const std::size_t e = m_mesh.edge(h).idx();
+    const std::size_t begin = m_curves.crossing_begin[e], end = m_curves.crossing_begin[e + 1];
+    if(begin == end)
+      return false;
+    const bool first = m_mesh.halfedge(m_mesh.edge(h), 0) == h;
+    crossing = first ? begin : end - 1;
+    position = first ? m_curves.crossings[crossing].position : 1. - m_curves.crossings[crossing].position;
+    return true;
+  }
+
+  // The bridge runs from front to front; its ends on the two curves are the T-junctions, which both curves get as samples.
+  void sample_bridge(const std::vector<Vertex>& bridge)
+  {
+    std::vector<Path_point> path;
+    std::size_t middle = bridge.size() / 2;
+    for(std::size_t i = 0; i < bridge.size(); ++i)
+      if(m_segmentation.level[bridge[i]] > m_segmentation.regions[m_segmentation.field_region[bridge[i]]].number_of_levels)
+        middle = i; // on the bridge proper, beyond the curves of the regions above
+    std::size_t low = middle, high = middle, crossing_low = 0, crossing_high = 0;
+    double t_low = 0., t_high = 0.;
+    bool cut_low = false, cut_high = false;
+    while(low > 0 && !(cut_low = first_crossing(bridge[low], bridge[low - 1], crossing_low, t_low)))
+      --low;
+    while(high + 1 < bridge.size() && !(cut_high = first_crossing(bridge[high], bridge[high + 1], crossing_high, t_high)))
+      ++high;
+    if(cut_low)
+    {
+      const Halfedge h = m_mesh.halfedge(bridge[low - 1], bridge[low]);
+      path.push_back(on_edge(h, 1. - t_low));
+    }
+    for(std::size_t i = low; i < high; ++i)
+      path.push_back(on_edge(m_mesh.halfedge(bridge[i], bridge[i + 1]), 0.));
+    if(high > 0 && !cut_high)
+      path.push_back(on_edge(m_mesh.halfedge(bridge[high - 1], bridge[high]), 1.));
+    if(cut_high)
+    {
+      const Halfedge h = m_mesh.halfedge(bridge[high], bridge[high + 1]);
+      path.push_back(on_edge(h, 0.));
+      path.push_back(on_edge(h, t_high));
+    }
+    if(path.size() < 2)
+      return;
+    set_path(path, false);
+    const double length = m_length.back();
+    if(length < .6 * m_edge_length)
+      return; // the two curves almost touch: samples on either serve both
+    const int n = (std::max)(1, static_cast<int>(std::lround(length / m_edge_length)));
+    for(int i = 0; i <= n; ++i)
+    {
+      Sample sample = sample_at(length * i / n, m_segmentation.field_region[bridge[middle]], 0);
+      if(!is_free(sample.point, static_cast<std::ptrdiff_t>(m_samples.size())))
+        continue;
+      if(i == 0 && cut_low)
+        pin(crossing_low);
+      if(i == n && cut_high)
+        pin(crossing_high);
+      add(sample);
+    }
+  }
+
+  Path_point on_edge(Halfedge h, double position) const
+  { return Path_point{internal::point_at(m_mesh, Curve_point{h, position}), h, position}; }
+
+  // The curve through this crossing has a sample there already.
+  void pin(std::size_t crossing)
+  {
+    const std::size_t point = m_curves.point_of_crossing[crossing];
+    const auto c = std::partition_point(curve_order().begin(), curve_order().end(),
+                                        [&](const std::pair<std::size_t, std::size_t>& p) { return p.first <= point; });
+    const std::size_t curve = std::prev(c)->second;
+    m_pins[curve].push_back(point - m_curves.curves[curve].begin);
+  }
+
+  // (first point, curve), by first point
+  const std::vector<std::pair<std::size_t, std::size_t>>& curve_order()
+  {
+    if(m_order.empty())
+    {
+      for(std::size_t c = 0; c < m_curves.curves.size(); ++c)
+        m_order.emplace_back(m_curves.curves[c].begin, c);
+      std::sort(m_order.begin(), m_order.end());
+    }
+    return m_order;
+  }
+
+  // ---- curves
+
+  void sample_curve(std::size_t c)
+  {
+    const Level_curve& curve = m_curves.curves[c];
+    std::vector<Path_point>& path = m_scratch;
+    path.clear();
+    for(std::size_t i = curve.begin; i < curve.end; ++i)
+      path.push_back(on_edge(m_curves.points[i].halfedge, m_curves.points[i].position));
+    if(path.size() < 2)
+      return;
+    set_path(path, curve.is_closed);
+    const double length = m_length.back();
+    std::vector<std::size_t>& pins = m_pins[c];
+    if(!pins.empty() && curve.is_closed)
+    {
+      sample_between_pins(curve, pins);
+      return;
+    }
+    const int n = number_on_loop(length);
+    if(n == 0)
+      return;
+    const double step = length / n, start = step * phase(curve, n);
+    add_row(curve, start, step, n);
+  }
+
+  // A rule for tiny curves: a loop needs three samples to be more than a line, and has them from three quarters of an edge
+  // length on. Smaller ones surround a tip or a passing bump, which the samples around it cover.
+  int number_on_loop(double length) const
+  {
+    const int n = static_cast<int>(std::lround(length / m_spacing));
+    return n >= 3 ? n : (length >= .75 * m_edge_length ? 3 : 0);
+  }
+
+  void add_row(const Level_curve& curve, double start, double step, int n)
+  {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(m_samples.size());
+    for(int i = 0; i < n; ++i)
+    {
+      const Sample sample = sample_at(start + i * step, curve.region, curve.level);
+      if(is_free(sample.point, first))
+        add(sample);
+    }
+  }
+
+  void sample_between_pins(const Level_curve& curve, std::vector<std::size_t>& pins)
+  {
+    std::sort(pins.begin(), pins.end());
+    pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+    const double length = m_length.back();
+    for(std::size_t i = 0; i < pins.size(); ++i)
+    {
+      const double from = m_length[pins[i]];
+      const double to = i + 1 < pins.size() ? m_length[pins[i + 1]] : length + m_length[pins.front()];
+      const int n = (std::max)(1, static_cast<int>(std::lround((to - from) / m_spacing)));
+      const double step = (to - from) / n;
+      const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(m_samples.size());
+      for(int j = 1; j < n; ++j)
+      {
+        double s = from + j * step;
+        s -= s >= length ? length : 0.;
+        const Sample sample = sample_at(s, curve.region, curve.level);
+        if(is_free(sample.point, first))
+          add(sample);
+      }
+    }
+  }
+
+  // The phase in [0, 1) that agrees best with the curve before: each of its samples near this curve votes for the middle of a
+  // step being opposite to it. The votes are directions on a circle, and their sum is the answer.
+  double phase(const Level_curve& curve, int n) const
+  {
+    const double step = m_length.back() / n, reach = 1.3 * m_edge_length;
+    double x = 0., y = 0.;
+    for(int i = 0; i < n; ++i)
+    {
+      const double s = i * step;
+      const std::size_t j = (std::min)(std::size_t(std::upper_bound(m_length.begin(), m_length.end(), s) - m_length.begin()),
+                                       m_length.size() - 1);
+      const double l = m_length[j] - m_length[j - 1];
+      if(!(l > 0.))
+        continue;
+      const Vector tangent = (m_path[j].point - m_path[j - 1].point) / l;
+      const Point here = m_path[j - 1].point + (s - m_length[j - 1]) * tangent;
+      m_grid.near(here, reach, [&](std::uint32_t id, const Point& q, double)
+      {
+        if(!is_before(m_samples[id], curve))
+          return;
+        const double offset = (q - here) * tangent;
+        if(std::abs(offset) > .75 * step)
+          return; // another step's business
+        const double angle = 2. * CGAL_PI * offset / step;
+        x += std::cos(angle);
+        y += std::sin(angle);
+      });
+    }
+    if(x * x + y * y < 1e-12)
+      return 0.;
+    const double vote = std::atan2(y, x) / (2. * CGAL_PI) + .5;
+    return vote - std::floor(vote);
+  }
+
+  bool is_before(const Sample& sample, const Level_curve& curve) const
+  {
+    return sample.region == curve.region ? sample.level == curve.level - 1 : curve.level == 1;
+  }
+
+  // A bump that rises more than half a spacing over its last curve gets a sample on its top: nothing else would cover it.
+  void add_peaks()
+  {
+    const auto& s = m_segmentation;
+    for(Vertex v : m_mesh.vertices())
+    {
+      const Region& region = s.regions[s.field_region[v]];
+      if(s.field[v] - (s.level[v] - 1) * region.spacing < .5 * region.spacing)
+        continue;
+      bool is_peak = true;
+      for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      {
+        const Vertex w = m_mesh.source(h);
+        is_peak = is_peak && s.field_region[w] == s.field_region[v] && s.level[w] <= s.level[v]
+               && (s.field[w] < s.field[v] || (!(s.field[v] < s.field[w]) && w < v));
+      }
+      if(is_peak)
+        add_vertex(v, false);
+    }
+  }
+
+  const Mesh& m_surface;
+  const Working_surface& m_working;
+  const Mesh& m_mesh;
+  const Segmentation& m_segmentation;
+  const Level_curves& m_curves;
+  const double m_edge_length, m_spacing;
+  Point_grid m_grid;
+  std::vector<Sample> m_samples;
+  std::vector<std::vector<std::size_t>> m_pins; // of a curve: its points that are samples already
+  std::vector<std::pair<std::size_t, std::size_t>> m_order;
+  std::vector<Path_point> m_path, m_scratch;
+  std::vector<double> m_length; // of the path up to each point
+};
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H

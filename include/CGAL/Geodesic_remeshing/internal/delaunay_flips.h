@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_DELAUNAY_FLIPS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_DELAUNAY_FLIPS_H
+
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Makes the triangles between the samples Delaunay: an edge is flipped when the two triangles beside it, unfolded into a
+// plane, are not. That is decided by an exact predicate, so that of the two diagonals of a pair never both look wrong. On
+// a curved surface the flipped edge is shorter than the unfolded one, and the flips need not come to an end by themselves:
+// their number is bounded.
+class Delaunay_flipper
+{
+public:
+  explicit Delaunay_flipper(Mesh& mesh) : m_mesh(mesh), m_queued(mesh.number_of_edges(), 1) {}
+
+  std::size_t run()
+  {
+    m_queue.assign(m_mesh.edges().begin(), m_mesh.edges().end());
+    std::reverse(m_queue.begin(), m_queue.end());
+    const std::size_t bound = 8 * m_queue.size(); // some 0.5 flips an edge are what it takes
+    std::size_t flips = 0;
+    while(!m_queue.empty() && flips < bound)
+    {
+      const Edge e = m_queue.back();
+      m_queue.pop_back();
+      m_queued[e.idx()] = 0;
+      if(m_mesh.is_border(e) || !is_wrong(m_mesh.halfedge(e)) || !is_flippable(m_mesh.halfedge(e)))
+        continue;
+      flip(m_mesh.halfedge(e));
+      ++flips;
+    }
+    return flips;
+  }
+
+private:
+  using Point_2 = Kernel::Point_2;
+
+  const Point& point(Halfedge h) const { return m_mesh.point(m_mesh.target(h)); }
+
+  // The apex over an edge of this length from the origin along the x axis
+  static Point_2 apex(const Vector& edge, double length, const Vector& to_apex, double side)
+  {
+    const double x = edge * to_apex / length;
+    return Point_2(x, side * std::sqrt((std::max)(0., to_apex.squared_length() - x * x)));
+  }
+
+  bool is_wrong(Halfedge h) const
+  {
+    const Halfedge o = m_mesh.opposite(h);
+    const Point& a = point(o);
+    const Vector edge(a, point(h));
+    const double length = std::sqrt(edge.squared_length());
+    if(!(length > 0.))
+      return false;
+    const Point_2 c = apex(edge, length, Vector(a, point(m_mesh.next(h))), 1.);
+    const Point_2 d = apex(edge, length, Vector(a, point(m_mesh.next(o))), -1.);
+    return side_of_oriented_circle(Point_2(0., 0.), Point_2(length, 0.), c, d) == ON_POSITIVE_SIDE;
+  }
+
+  int valence(Vertex v) const { return static_cast<int>(m_mesh.degree(v)); }
+
+  // Not where the other diagonal is an edge already, a vertex would lose its third edge, or a face would turn over
+  bool is_flippable(Halfedge h) const
+  {
+    const Halfedge o = m_mesh.opposite(h);
+    const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
+    const Vertex c = m_mesh.target(m_mesh.next(h)), d = m_mesh.target(m_mesh.next(o));
+    if(c == d || m_mesh.halfedge(c, d).is_valid() || valence(a) <= 3 || valence(b) <= 3)
+      return false;
+    const Vector before = normal(a, b, c) + normal(b, a, d);
+    return normal(c, d, b) * before > 0. && normal(d, c, a) * before > 0.;
+  }
+
+  Vector normal(Vertex u, Vertex v, Vertex w) const
+  {
+    return cross_product(Vector(m_mesh.point(u), m_mesh.point(v)), Vector(m_mesh.point(u), m_mesh.point(w)));
+  }
+
+  void flip(Halfedge h)
+  {
+    const Halfedge o = m_mesh.opposite(h);
+    const Halfedge ring[4] = {m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o), m_mesh.prev(o)};
+    const Vertex a = m_mesh.source(h), b = m_mesh.target(h), c = m_mesh.target(ring[0]), d = m_mesh.target(ring[2]);
+    const Face f = m_mesh.face(h), g = m_mesh.face(o);
+    m_mesh.set_target(h, c);
+    m_mesh.set_target(o, d);
+    set_triangle(f, h, ring[1], ring[2]); // d -> c -> a -> d
+    set_triangle(g, o, ring[3], ring[0]); // c -> d -> b -> c
+    m_mesh.set_halfedge(a, ring[1]);
+    m_mesh.set_halfedge(b, ring[3]);
+    m_mesh.set_halfedge(c, h);
+    m_mesh.set_halfedge(d, o);
+    for(Halfedge r : ring)
+      if(!m_queued[m_mesh.edge(r).idx()])
+      {
+        m_queued[m_mesh.edge(r).idx()] = 1;
+        m_queue.push_back(m_mesh.edge(r));
+      }
+  }
+
+  void set_triangle(Face f, Halfedge a, Halfedge b, Halfedge c)
+  {
+    m_mesh.set_next(a, b);
+    m_mesh.set_next(b, c);
+    m_mesh.set_next(c, a);
+    for(Halfedge h : {a, b, c})
+      m_mesh.set_face(h, f);
+    m_mesh.set_halfedge(f, a);
+  }
+
+  Mesh& m_mesh;
+  std::vector<char> m_queued;
+  std::vector<Edge> m_queue;
+};
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_DELAUNAY_FLIPS_H
