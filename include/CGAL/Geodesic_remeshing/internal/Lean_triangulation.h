@@ -1,0 +1,324 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_LEAN_TRIANGULATION_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_LEAN_TRIANGULATION_H
+
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// The connectivity of a triangle mesh in arrays, for the stages that read or change it millions of times.
+//
+// Face f has the halfedges 4f, 4f+1, 4f+2, from its vertex 0 to 1, 1 to 2 and 2 to 0, in the order of `vertices_of()`;
+// hence `next()` needs neither memory nor division. A halfedge of the boundary has no opposite. Every change can be
+// recorded in a journal and taken back: a search may try thousands of sequences of changes and keep none.
+class Lean_triangulation
+{
+public:
+  using Index = std::uint32_t;
+  static constexpr Index none = static_cast<Index>(-1);
+
+  explicit Lean_triangulation(const Mesh& mesh);
+
+  static Index face(const Index h) { return h >> 2; }
+  static Index next(const Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
+  static Index previous(const Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
+
+  Index source(const Index h) const { return field_[corner][h]; }
+  Index target(const Index h) const { return field_[corner][next(h)]; }
+  Index apex(const Index h) const { return field_[corner][previous(h)]; }
+  Index opposite(const Index h) const { return field_[across][h]; }
+
+  // The outgoing halfedges of a vertex, counterclockwise: starts at halfedge(v), ends at `none` (boundary) or there again.
+  Index halfedge(const Index v) const { return field_[outgoing][v]; }
+  Index rotate(const Index h) const { return opposite(previous(h)); }
+
+  Index valence(const Index v) const { return field_[degree][v]; }
+  bool is_removed(const Index v) const { return field_[degree][v] == 0; }
+  bool is_removed_face(const Index f) const { return field_[corner][4 * f] == none; }
+  bool is_border(const Index v) const { return opposite(halfedge(v)) == none; }
+
+  // Numbers of slots, removed ones included: the bounds of loops over vertices and faces.
+  Index vertex_slots() const { return static_cast<Index>(field_[degree].size()); }
+  Index face_slots() const { return static_cast<Index>(field_[corner].size() / 4); }
+  std::size_t number_of_vertices() const { return field_[counts][vertex_count]; }
+
+  template <class Visit> void for_each_outgoing(const Index v, Visit&& visit) const
+  {
+    const Index first = halfedge(v);
+    Index h = first;
+    do {
+      visit(h);
+      h = rotate(h);
+    } while(h != first && h != none);
+  }
+
+  // Neighbours counterclockwise. At the boundary the last one is only the source of an incoming halfedge.
+  template <class Visit> void for_each_neighbor(const Index v, Visit&& visit) const
+  {
+    const Index first = halfedge(v);
+    Index h = first, last;
+    do {
+      visit(target(h));
+      last = previous(h);
+      h = opposite(last);
+    } while(h != first && h != none);
+    if(h == none)
+      visit(source(last));
+  }
+
+  bool are_neighbors(const Index v, const Index w) const
+  {
+    bool found = false;
+    for_each_neighbor(v, [&](const Index x) { found = found || x == w; });
+    return found;
+  }
+
+  // Flips that make double edges or a vertex with less than three neighbours are not legal.
+  bool is_flip_legal(Index h) const;
+  Index flip(Index h);             // returns a halfedge of the new edge
+  bool is_collapse_legal(Index h) const;
+  void collapse(Index h);          // target(h) disappears
+  // The inverse of a collapse: the new vertex takes over the faces of v counterclockwise from h1 to h2, outgoing
+  // halfedges of an inner vertex v with at least one halfedge between them; source(h1) and the new vertex become neighbours.
+  Index split(Index h1, Index h2);
+
+  void record() { is_recording_ = true; }
+  std::size_t mark() const { return journal_.size(); }
+  void undo_to(std::size_t mark);
+  void forget() { journal_.clear(); is_recording_ = false; }
+  void reserve_free(Index number_of_splits);   // before recording: new slots are never taken back
+
+private:
+  enum Field : Index { corner, across, outgoing, degree, counts };
+  enum Count : Index { vertex_count, free_vertex, free_face };    // the free slots form chains
+  struct Change { Field field; Index at; Index old; };
+
+  void set(const Field field, const Index at, const Index value)
+  {
+    Index& place = field_[field][at];
+    if(is_recording_)
+      journal_.push_back({field, at, place});
+    place = value;
+  }
+
+  void glue(const Index h, const Index o)
+  {
+    if(h != none) set(across, h, o);
+    if(o != none) set(across, o, h);
+  }
+
+  Index new_vertex();
+  Index new_face(Index u, Index v, Index w);
+  void remove_vertex(Index v);
+  void remove_face(Index f);
+
+  std::array<std::vector<Index>, 5> field_;
+  std::vector<Change> journal_;
+  bool is_recording_ = false;
+};
+
+inline Lean_triangulation::Lean_triangulation(const Mesh& mesh)
+{
+  CGAL_precondition(!mesh.has_garbage());
+  const std::size_t n = mesh.number_of_vertices();
+  field_[corner].assign(4 * mesh.number_of_faces(), none);
+  field_[across].assign(4 * mesh.number_of_faces(), none);
+  field_[outgoing].assign(n, none);
+  field_[degree].assign(n, 0);
+  field_[counts] = {static_cast<Index>(n), none, none};
+
+  std::vector<Index> number(mesh.number_of_halfedges(), none);
+  for(const Face f : mesh.faces()) {
+    Halfedge h = mesh.halfedge(f);
+    for(Index i = 0; i < 3; ++i, h = mesh.next(h)) {
+      number[h] = 4 * f + i;
+      field_[corner][4 * f + i] = mesh.source(h);
+    }
+  }
+  for(const Halfedge h : mesh.halfedges()) {
+    if(number[h] == none)
+      continue;
+    const Index o = number[mesh.opposite(h)], v = mesh.source(h);
+    field_[across][number[h]] = o;
+    field_[degree][v] += 1;
+    // The first halfedge counterclockwise, at the boundary; elsewhere any, so the last one seen.
+    if(field_[outgoing][v] == none || opposite(field_[outgoing][v]) != none)
+      field_[outgoing][v] = number[h];
+    if(o == none)
+      field_[degree][mesh.target(h)] += 1;
+  }
+}
+
+inline bool Lean_triangulation::is_flip_legal(const Index h) const
+{
+  const Index o = opposite(h);
+  if(o == none)
+    return false;
+  const Index c = apex(h), d = apex(o);
+  return valence(source(h)) > 3 && valence(target(h)) > 3 && c != d && !are_neighbors(c, d);
+}
+
+inline Lean_triangulation::Index Lean_triangulation::flip(const Index h)
+{
+  // (a,b,c) and (b,a,d) become (a,d,c) and (b,c,d).
+  const Index o = opposite(h), hn = next(h), on = next(o);
+  const Index a = source(h), b = source(o), c = apex(h), d = apex(o);
+  const Index bc = opposite(hn), ad = opposite(on);
+  set(corner, hn, d);
+  set(corner, on, c);
+  glue(hn, on);
+  set(across, h, ad);
+  if(ad != none) set(across, ad, h);
+  set(across, o, bc);
+  if(bc != none) set(across, bc, o);
+  if(halfedge(a) == on) set(outgoing, a, h);
+  if(halfedge(b) == hn) set(outgoing, b, o);
+  set(degree, a, valence(a) - 1);
+  set(degree, b, valence(b) - 1);
+  set(degree, c, valence(c) + 1);
+  set(degree, d, valence(d) + 1);
+  return hn;
+}
+
+inline bool Lean_triangulation::is_collapse_legal(const Index h) const
+{
+  const Index o = opposite(h);
+  if(o == none)
+    return false;
+  const Index a = source(h), b = target(h), c = apex(h), d = apex(o);
+  if(is_border(b) || valence(c) < 4 || valence(d) < 4 || valence(a) + valence(b) < 7)
+    return false;
+  // Link condition: a and b have no other neighbours in common than c and d.
+  Index common = 0;
+  for_each_neighbor(b, [&](const Index x) { common += are_neighbors(a, x); });
+  return common == 2;
+}
+
+inline void Lean_triangulation::collapse(const Index h)
+{
+  const Index o = opposite(h), hn = next(h), hp = previous(h), on = next(o), op = previous(o);
+  const Index a = source(h), b = source(o), c = source(hp), d = source(op);
+  const Index x = opposite(hn), y = opposite(hp), z = opposite(on), w = opposite(op);
+  set(degree, a, valence(a) + valence(b) - 4);
+  set(degree, c, valence(c) - 1);
+  set(degree, d, valence(d) - 1);
+  for(Index g = w; g != hn; g = rotate(g))
+    set(corner, g, a);
+  if(halfedge(a) == h) set(outgoing, a, y);
+  if(halfedge(a) == on) set(outgoing, a, w);
+  if(halfedge(c) == hp) set(outgoing, c, x);
+  if(halfedge(d) == op) set(outgoing, d, z);
+  glue(x, y);
+  glue(z, w);
+  remove_face(face(h));
+  remove_face(face(o));
+  remove_vertex(b);
+}
+
+inline Lean_triangulation::Index Lean_triangulation::split(const Index h1, const Index h2)
+{
+  const Index v = source(h1), c = target(h1), d = target(h2);
+  const Index o1 = opposite(h1), p2 = opposite(h2), w = new_vertex();
+  Index taken = 0;
+  for(Index g = h1; g != h2; g = rotate(g), ++taken)
+    set(corner, g, w);
+  const Index f1 = new_face(v, c, w), f2 = new_face(w, d, v);
+  glue(4 * f1, o1);
+  glue(4 * f1 + 1, h1);
+  glue(4 * f1 + 2, 4 * f2 + 2);
+  glue(4 * f2, p2);
+  glue(4 * f2 + 1, h2);
+  set(outgoing, w, h1);
+  set(outgoing, v, h2);
+  set(degree, w, taken + 2);
+  set(degree, v, valence(v) - taken + 2);
+  set(degree, c, valence(c) + 1);
+  set(degree, d, valence(d) + 1);
+  return w;
+}
+
+inline void Lean_triangulation::undo_to(const std::size_t mark)
+{
+  for(; journal_.size() > mark; journal_.pop_back())
+    field_[journal_.back().field][journal_.back().at] = journal_.back().old;
+}
+
+inline void Lean_triangulation::reserve_free(const Index number_of_splits)
+{
+  CGAL_precondition(!is_recording_);
+  Index vertices = 0, faces = 0;
+  for(Index v = field_[counts][free_vertex]; v != none && vertices < number_of_splits; v = field_[outgoing][v])
+    ++vertices;
+  for(Index f = field_[counts][free_face]; f != none && faces < 2 * number_of_splits; f = field_[across][4 * f])
+    ++faces;
+  for(; vertices < number_of_splits; ++vertices) {
+    field_[outgoing].push_back(field_[counts][free_vertex]);
+    field_[degree].push_back(0);
+    field_[counts][free_vertex] = vertex_slots() - 1;
+  }
+  for(; faces < 2 * number_of_splits; ++faces) {
+    field_[corner].insert(field_[corner].end(), 4, none);
+    field_[across].insert(field_[across].end(), 4, none);
+    field_[across][4 * (face_slots() - 1)] = field_[counts][free_face];
+    field_[counts][free_face] = face_slots() - 1;
+  }
+}
+
+inline Lean_triangulation::Index Lean_triangulation::new_vertex()
+{
+  const Index v = field_[counts][free_vertex];
+  CGAL_precondition(v != none);
+  set(counts, free_vertex, field_[outgoing][v]);
+  set(counts, vertex_count, field_[counts][vertex_count] + 1);
+  return v;
+}
+
+inline Lean_triangulation::Index Lean_triangulation::new_face(const Index u, const Index v, const Index w)
+{
+  const Index f = field_[counts][free_face];
+  CGAL_precondition(f != none);
+  set(counts, free_face, field_[across][4 * f]);
+  set(corner, 4 * f, u);
+  set(corner, 4 * f + 1, v);
+  set(corner, 4 * f + 2, w);
+  return f;
+}
+
+inline void Lean_triangulation::remove_vertex(const Index v)
+{
+  set(degree, v, 0);
+  set(outgoing, v, field_[counts][free_vertex]);
+  set(counts, free_vertex, v);
+  set(counts, vertex_count, field_[counts][vertex_count] - 1);
+}
+
+inline void Lean_triangulation::remove_face(const Index f)
+{
+  for(Index i = 0; i < 3; ++i)
+    set(corner, 4 * f + i, none);
+  set(across, 4 * f, field_[counts][free_face]);
+  set(counts, free_face, f);
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_LEAN_TRIANGULATION_H

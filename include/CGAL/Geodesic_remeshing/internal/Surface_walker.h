@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_SURFACE_WALKER_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_SURFACE_WALKER_H
+
+#include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Walks straight over a surface: a place and a tangent vector give the place reached (the discrete exponential map).
+//
+// The way is unfolded at every edge, in barycentric coordinates: with an edge from (0,0) to (1,0) and the apices of its
+// two faces at (x,y) and (x',-y') the crossing is one linear map of the coordinates, so a step costs about a dozen
+// multiplications, and its end is on the surface whatever the rounding. Nothing is projected: two sheets of a surface
+// that nearly touch are as far apart as the way over the surface between them.
+class Surface_walker
+{
+public:
+  using Index = Lean_triangulation::Index;
+
+  explicit Surface_walker(const Mesh& surface);
+
+  // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends at the
+  // boundary, and after `maximum_number_of_crossings_` (a way around a degenerate vertex need not end).
+  Place walk(const Place& from, const Vector& displacement) const;
+
+  // Unit normal of a face; that of a neighbour for a face without area; zero where there is none.
+  const Vector& normal(const Face f) const { return normals_[f]; }
+  Point point(const Place& place) const;
+  const Mesh& surface() const { return surface_; }
+  const Lean_triangulation& triangulation() const { return triangulation_; }
+
+private:
+  // The face's apex over a halfedge in the frame where the halfedge goes from (0,0) to (1,0).
+  struct Apex { double x, y; };
+
+  void lay_out(Index f);
+  void borrow_normals();
+  std::array<double, 3> velocity(Face f, const Vector& displacement) const;
+  void cross(Index h, Index o, std::array<double, 3>& at, std::array<double, 3>& by) const;
+
+  const Mesh& surface_;
+  Lean_triangulation triangulation_;
+  std::vector<Vector> normals_;
+  std::vector<Apex> apices_;         // one a halfedge
+  std::size_t maximum_number_of_crossings_;
+};
+
+inline Surface_walker::Surface_walker(const Mesh& surface)
+  : surface_(surface)
+  , triangulation_(surface)
+  , normals_(surface.number_of_faces())
+  , apices_(4 * surface.number_of_faces())
+  // A straight way through a mesh crosses some sqrt(faces) edges; the constant is generous, for elongated meshes.
+  , maximum_number_of_crossings_(100 + 20 * static_cast<std::size_t>(std::sqrt(double(surface.number_of_faces()))))
+{
+  for(Index f = 0; f < triangulation_.face_slots(); ++f)
+    lay_out(f);
+  borrow_normals();
+}
+
+inline void Surface_walker::lay_out(const Index f)
+{
+  std::array<Point, 3> p;
+  for(Index i = 0; i < 3; ++i)
+    p[i] = surface_.point(Vertex(triangulation_.source(4 * f + i)));
+  const std::array<Vector, 3> e = {{p[1] - p[0], p[2] - p[1], p[0] - p[2]}};
+  const std::array<double, 3> l = {{e[0].squared_length(), e[1].squared_length(), e[2].squared_length()}};
+  const Vector product = cross_product(e[0], e[1]);
+  const double area = std::sqrt(product.squared_length());
+  // A face without area or with a point for an edge gets a little of both, far above the rounding and far below
+  // what matters: then every apex is finite and every crossing possible.
+  const double longest = (std::max)({l[0], l[1], l[2], (std::numeric_limits<double>::min)()});
+  const double least_area = 1e-10 * longest, least_length = 1e-20 * longest;
+  normals_[f] = area > least_area ? product / area : Vector(0., 0., 0.);
+  for(Index i = 0; i < 3; ++i) {
+    const double length = (std::max)(l[i], least_length);
+    apices_[4 * f + i] = {-(e[i] * e[(i + 2) % 3]) / length, (std::max)(area, least_area) / length};
+  }
+}
+
+// Faces without area have no normal of their own; the neighbours' do, if not in the first round then in a later one.
+inline void Surface_walker::borrow_normals()
+{
+  std::vector<Index> bare;
+  for(Index f = 0; f < triangulation_.face_slots(); ++f)
+    if(normals_[f] == NULL_VECTOR)
+      bare.push_back(f);
+  for(std::size_t before = bare.size() + 1; bare.size() < before;) {
+    before = bare.size();
+    bare.erase(std::remove_if(bare.begin(), bare.end(), [&](const Index f) {
+      for(Index h = 4 * f; h < 4 * f + 3; ++h) {
+        const Index o = triangulation_.opposite(h);
+        if(o != Lean_triangulation::none && normals_[Lean_triangulation::face(o)] != NULL_VECTOR)
+          normals_[f] = normals_[Lean_triangulation::face(o)];
+      }
+      return normals_[f] != NULL_VECTOR;
+    }), bare.end());
+  }
+}
+
+// As `point_at()`, which has to go through the mesh' halfedges.
+inline Point Surface_walker::point(const Place& place) const
+{
+  const Index h = 4 * static_cast<Index>(place.face);
+  const Point& p = surface_.point(Vertex(triangulation_.source(h)));
+  const Point& q = surface_.point(Vertex(triangulation_.source(h + 1)));
+  const Point& r = surface_.point(Vertex(triangulation_.source(h + 2)));
+  const auto& c = place.coordinates;
+  return Point(c[0] * p.x() + c[1] * q.x() + c[2] * r.x(),
+               c[0] * p.y() + c[1] * q.y() + c[2] * r.y(),
+               c[0] * p.z() + c[1] * q.z() + c[2] * r.z());
+}
+
+// The displacement as the change of the barycentric coordinates.
+inline std::array<double, 3> Surface_walker::velocity(const Face f, const Vector& displacement) const
+{
+  const Point& p = surface_.point(Vertex(triangulation_.source(4 * f)));
+  const Point& q = surface_.point(Vertex(triangulation_.source(4 * f + 1)));
+  const Vector edge = q - p;
+  const double length = edge.squared_length();
+  if(!(length > 0.))
+    return {{0., 0., 0.}};
+  const Apex& apex = apices_[4 * f];
+  const double x = displacement * edge / length;
+  const double y = displacement * cross_product(normals_[f], edge) / length;
+  const double third = y / apex.y, second = x - third * apex.x;
+  return {{-second - third, second, third}};
+}
+
+// Rewrites coordinates and velocity of the face of h, which the way leaves through h, for the face of o = opposite(h).
+inline void Surface_walker::cross(const Index h, const Index o, std::array<double, 3>& at,
+                                  std::array<double, 3>& by) const
+{
+  const Apex &left = apices_[h], &right = apices_[o];
+  const Index i = h & 3, j = o & 3;
+  // The old apex in terms of the source of h, its target and the new apex: (1 - s - u, s, u). That o runs the
+  // other way is why its x is taken from 1.
+  const double u = -left.y / right.y, s = left.x - u * (1. - right.x);
+  const double at_source = at[i], at_target = at[(i + 1) % 3];
+  const double by_target = by[(i + 1) % 3] + s * by[(i + 2) % 3], by_apex = u * by[(i + 2) % 3];
+  at[j] = at_target;
+  at[(j + 1) % 3] = at_source;
+  at[(j + 2) % 3] = 0.;
+  by[j] = by_target;
+  by[(j + 1) % 3] = -by_target - by_apex;
+  by[(j + 2) % 3] = by_apex;
+}
+
+inline Place Surface_walker::walk(const Place& from, const Vector& displacement) const
+{
+  Index f = from.face;
+  std::array<double, 3> at = from.coordinates, by = velocity(from.face, displacement);
+  for(std::size_t crossings = 0; crossings < maximum_number_of_crossings_; ++crossings) {
+    // The first coordinate to reach zero on the way names the edge crossed.
+    Index exit = 3;
+    double time = 1.;
+    for(Index i = 0; i < 3; ++i)
+      if(by[i] < 0. && at[i] < -by[i] * time) {
+        time = at[i] / -by[i];
+        exit = i;
+      }
+    for(Index i = 0; i < 3; ++i) {
+      at[i] += time * by[i];
+      by[i] *= 1. - time;
+    }
+    if(exit == 3)
+      break;
+    at[exit] = 0.;
+    const Index h = 4 * f + (exit + 1) % 3, o = triangulation_.opposite(h);
+    if(o == Lean_triangulation::none)
+      break;
+    cross(h, o, at, by);
+    f = Lean_triangulation::face(o);
+  }
+  // Rounding leaves at most a last bit below zero, and the sum off one by as much.
+  for(double& c : at)
+    c = (std::max)(c, 0.);
+  const double sum = at[0] + at[1] + at[2];
+  return Place{Face(f), {{at[0] / sum, at[1] / sum, at[2] / sum}}};
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_SURFACE_WALKER_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_COUNT_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_COUNT_H
+
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/relaxation.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Brings the number of vertices to the one asked for, by collapses and splits where they cost least regularity: at a
+// 5-7 pair they cost none (the pair moves over by one row), in a regular part they make new irregular vertices.
+// Among equals the shortest edges go, and the widest rings are divided.
+class Vertex_count
+{
+public:
+  using Index = Lean_triangulation::Index;
+
+  Vertex_count(Remeshed_surface& remeshed, const double edge_length)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), squared_edge_length_(edge_length * edge_length) {}
+
+  // Returns whether the number was reached.
+  bool reach(std::size_t number_of_vertices);
+
+private:
+  // The collapse of h, or, where `other` is given, the split of the source of both between them.
+  struct Change
+  {
+    double cost; Index h, other;
+    bool operator<(const Change& c) const { return std::tie(cost, h, other) < std::tie(c.cost, c.h, c.other); }
+  };
+
+  void find_collapses();
+  void find_splits();
+  void keep_cheapest(std::size_t number);
+  std::size_t apply(std::size_t number);
+  bool collapse(Index h);
+  bool split(Index h, Index other);
+  bool settle(const std::array<Index, 4>& changed);
+  double size_cost(Index h) const;
+  bool is_touched(const Change& change) const;
+
+  Remeshed_surface& remeshed_;
+  Lean_triangulation& table_;
+  double squared_edge_length_;
+  std::vector<Change> changes_;
+  std::vector<char> touched_;     // vertices whose valence or place has changed since the costs were found
+};
+
+inline bool Vertex_count::reach(const std::size_t number_of_vertices)
+{
+  while(table_.number_of_vertices() != number_of_vertices) {
+    const std::size_t n = table_.number_of_vertices();
+    const std::size_t number = n < number_of_vertices ? number_of_vertices - n : n - number_of_vertices;
+    changes_.clear();
+    if(n < number_of_vertices) {
+      remeshed_.reserve_free(static_cast<Index>(number));
+      find_splits();
+    }
+    else
+      find_collapses();
+    touched_.assign(table_.vertex_slots(), false);
+    keep_cheapest(number);
+    if(apply(number) == 0)
+      return false;
+  }
+  return true;
+}
+
+// The length of an edge weighs as much as one step of the energy (2) when it is off by the whole edge length.
+inline double Vertex_count::size_cost(const Index h) const
+{
+  const double length = squared_distance(remeshed_.spot(table_.source(h)).point, remeshed_.spot(table_.target(h)).point);
+  return 2. * length / squared_edge_length_;
+}
+
+inline void Vertex_count::find_collapses()
+{
+  for(Index f = 0; f < table_.face_slots(); ++f) {
+    for(Index h = 4 * f; h < 4 * f + 3 && !table_.is_removed_face(f); ++h)
+      if(table_.opposite(h) != Lean_triangulation::none && !remeshed_.is_fixed(table_.target(h)))
+        changes_.push_back({remeshed_.energy_of_collapse(h) + size_cost(h), h, Lean_triangulation::none});
+  }
+}
+
+// Of each vertex the cheapest split into halves.
+inline void Vertex_count::find_splits()
+{
+  for(Index v = 0; v < table_.vertex_slots(); ++v) {
+    if(table_.is_removed(v) || table_.is_border(v))
+      continue;
+    const int valence = static_cast<int>(table_.valence(v)), half = valence / 2;
+    Change best{infinity, Lean_triangulation::none, Lean_triangulation::none};
+    double size = 0.;
+    Index across = table_.halfedge(v);
+    for(int i = 0; i < half; ++i)
+      across = table_.rotate(across);
+    table_.for_each_outgoing(v, [&](const Index h) {
+      const double cost = 2. * (remeshed_.excess(table_.target(h)) + remeshed_.excess(table_.target(across)));
+      best = (std::min)(best, Change{cost, h, across});
+      size += size_cost(h);
+      across = table_.rotate(across);
+    });
+    const int one = half + 2 - 6, two = valence - half + 2 - 6, excess = valence - 6;
+    best.cost += one * one + two * two - excess * excess + 2 - size / valence;
+    changes_.push_back(best);
+  }
+}
+
+// Neighbours of a change made have to wait for the next pass; so some more than wanted are looked at.
+inline void Vertex_count::keep_cheapest(const std::size_t number)
+{
+  const std::size_t kept = (std::min)(changes_.size(), 8 * number + 16);
+  std::nth_element(changes_.begin(), changes_.begin() + kept, changes_.end());
+  changes_.resize(kept);
+  std::sort(changes_.begin(), changes_.end());
+}
+
+inline bool Vertex_count::is_touched(const Change& change) const
+{
+  if(table_.is_removed_face(table_.face(change.h)))
+    return true;
+  if(change.other != Lean_triangulation::none)
+    return touched_[table_.source(change.h)] || touched_[table_.target(change.h)] ||
+           touched_[table_.target(change.other)];
+  const Index o = table_.opposite(change.h);
+  return touched_[table_.source(change.h)] || touched_[table_.target(change.h)] ||
+         touched_[table_.apex(change.h)] || touched_[table_.apex(o)];
+}
+
+inline std::size_t Vertex_count::apply(const std::size_t number)
+{
+  std::size_t made = 0;
+  for(const Change& change : changes_) {
+    if(made == number)
+      break;
+    if(is_touched(change))
+      continue;
+    remeshed_.record();
+    const auto start = remeshed_.mark();
+    if(change.other == Lean_triangulation::none ? collapse(change.h) : split(change.h, change.other))
+      ++made;
+    else
+      remeshed_.undo_to(start);
+    remeshed_.forget();
+  }
+  return made;
+}
+
+inline bool Vertex_count::collapse(const Index h)
+{
+  if(!table_.is_collapse_legal(h))
+    return false;
+  const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(table_.opposite(h));
+  const Vector way = remeshed_.spot(b).point - remeshed_.spot(a).point;
+  table_.collapse(h);
+  if(!remeshed_.is_fixed(a))
+    remeshed_.put(a, remeshed_.spot_after(a, .5 * way));
+  return settle({{a, a, c, d}});
+}
+
+// The vertex and the new one part along the line between their halves of the ring.
+inline bool Vertex_count::split(const Index h, const Index other)
+{
+  const Index v = table_.source(h), c = table_.target(h), d = table_.target(other);
+  const Index w = table_.split(h, other);
+  remeshed_.put(w, remeshed_.spot(v));
+  remeshed_.put(w, remeshed_.spot_after(w, .5 * remeshed_.way_to_center_of_neighbors(w)));
+  if(!remeshed_.is_fixed(v))
+    remeshed_.put(v, remeshed_.spot_after(v, .5 * remeshed_.way_to_center_of_neighbors(v)));
+  return settle({{v, w, c, d}});
+}
+
+// Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come mend.
+inline bool Vertex_count::settle(const std::array<Index, 4>& changed)
+{
+  static const double mendable = badness_of_angle(10.);
+  for(int round = 0; round < 2; ++round)
+    for(const Index v : changed)
+      if(!remeshed_.is_fixed(v))
+        relax_vertex(remeshed_, v);
+  for(const Index v : changed)
+    if(remeshed_.ring_badness(v) > mendable)
+      return false;
+  for(const Index v : changed)
+    touched_[v] = true;
+  return true;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_COUNT_H
