@@ -10,8 +10,8 @@ die()
   exit 1
 }
 
-# The folder of CGALConfig.cmake and that of CGAL's example meshes. The caller's CGAL_DIR and CGAL_DATA_DIR win, then what
-# scripts/setup unpacked from the suite $1, then (both empty) what CMake finds by itself.
+# find_cgal stable|newer: sets cgal_dir, the folder of CGALConfig.cmake, and cgal_data, that of CGAL's example meshes. The caller's
+# CGAL_DIR and CGAL_DATA_DIR win, then what scripts/setup unpacked, then (both empty) what CMake finds by itself.
 find_cgal()
 {
   local unpacked
@@ -24,12 +24,12 @@ find_cgal()
   fi
 }
 
-# build SUITE FOLDER TARGET [CMake options]: configures with the CGAL of the suite and builds; quiet unless something fails
+# build stable|newer FOLDER TARGET [CMake options]: configures with that CGAL and builds; quiet unless something fails
 build()
 {
-  local suite=$1 folder=$2 target=$3 log
+  local cgal=$1 folder=$2 target=$3 log
   shift 3
-  find_cgal "$suite"
+  find_cgal "$cgal"
   mkdir -p "$folder"
   log=$folder/build.log
   {
