@@ -72,10 +72,12 @@ inline double isotropic_edge_length(const Mesh& input, std::size_t number_of_ver
   double length = std::sqrt(CGAL::Polygon_mesh_processing::area(input) / wanted * 2. / std::sqrt(3.));
   double best_length = length;
   double best_error = 1e300;
-  for (int trial = 0; trial < largest_number_of_trials && best_error > tolerance; ++trial) {
+  for(int trial = 0; trial < largest_number_of_trials && best_error > tolerance; ++trial)
+  {
     const double count = static_cast<double>(isotropic(input, length, iterations).number_of_vertices());
     const double error = std::abs(count / wanted - 1.);
-    if (error < best_error) {
+    if(error < best_error)
+    {
       best_error = error;
       best_length = length;
     }

@@ -43,19 +43,20 @@ struct Options
 Options read_options(int argc, char* argv[])
 {
   Options options;
-  for (int i = 1; i < argc; ++i) {
+  for(int i = 1; i < argc; ++i)
+  {
     const std::string word = argv[i];
     const std::size_t equals = word.rfind('=');
-    if (word == "--repeats" && i + 1 < argc)
+    if(word == "--repeats" && i + 1 < argc)
       options.repeats = (std::max)(1, std::atoi(argv[++i]));
-    else if (word == "--output" && i + 1 < argc)
+    else if(word == "--output" && i + 1 < argc)
       options.output = argv[++i];
-    else if (word.front() != '-' && equals != std::string::npos)
+    else if(word.front() != '-' && equals != std::string::npos)
       options.tasks.push_back({word.substr(0, equals), std::stoul(word.substr(equals + 1))});
     else
       throw std::invalid_argument("usage: remeshing_benchmark [--repeats R] [--output PREFIX] [MODEL=N ...]");
   }
-  if (options.tasks.empty())
+  if(options.tasks.empty())
     options.tasks = {{"bear", 10000},    {"dino", 11850}, {"camel", 23656},    {"eight", 5000},
                      {"elephant", 5000}, {"homer", 5000}, {"armadillo", 20000}};
   return options;
@@ -66,7 +67,7 @@ Mesh read_model(const std::string& model)
   const bool is_name = model.find_first_of("./\\") == std::string::npos;
   const std::string file = is_name ? CGAL::data_file_path("meshes/" + model + ".off") : model;
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(file, mesh))
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
     throw std::runtime_error("cannot read " + file);
   return mesh;
 }
@@ -78,7 +79,8 @@ Result measure(const Task& task, const Mesh& input, const benchmark::Remesher& r
   result.method = remesher.name;
   const benchmark::Run run = remesher.prepare(input, task.number_of_vertices);
   Mesh output;
-  for (int repeat = 0; repeat < repeats; ++repeat) {
+  for(int repeat = 0; repeat < repeats; ++repeat)
+  {
     CGAL::Timer timer; // user time of this process
     timer.start();
     output = run();
@@ -98,7 +100,7 @@ void write_files(const std::string& prefix, const std::vector<Result>& results)
   benchmark::write_markdown(markdown, results);
   std::ofstream medians(prefix + "_medians.md");
   benchmark::write_medians(medians, results);
-  if (!csv.flush() || !markdown.flush() || !medians.flush())
+  if(!csv.flush() || !markdown.flush() || !medians.flush())
     throw std::runtime_error("cannot write " + prefix + ".*");
 }
 
@@ -106,12 +108,15 @@ void write_files(const std::string& prefix, const std::vector<Result>& results)
 
 int main(int argc, char* argv[])
 {
-  try {
+  try
+  {
     const Options options = read_options(argc, argv);
     std::vector<Result> results;
-    for (const Task& task : options.tasks) {
+    for(const Task& task : options.tasks)
+    {
       const Mesh input = read_model(task.model);
-      for (const auto& remesher : benchmark::all_remeshers()) {
+      for(const auto& remesher : benchmark::all_remeshers())
+      {
         std::cerr << task.model << ": " << remesher.name << "\n";
         results.push_back(measure(task, input, remesher, options.repeats));
       }
@@ -119,10 +124,12 @@ int main(int argc, char* argv[])
     benchmark::write_markdown(std::cout, results);
     std::cout << "\nMedians over the models:\n\n";
     benchmark::write_medians(std::cout, results);
-    if (!options.output.empty())
+    if(!options.output.empty())
       write_files(options.output, results);
     return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
+  }
+  catch(const std::exception& error)
+  {
     std::cerr << "remeshing_benchmark: " << error.what() << "\n";
     return EXIT_FAILURE;
   }

@@ -66,12 +66,13 @@ inline std::string number(double value, int digits)
 inline void write_csv(std::ostream& out, const std::vector<Result>& results)
 {
   out << "model,method";
-  for (const Column& column : columns())
+  for(const Column& column : columns())
     out << "," << column.name;
   out << "\n";
-  for (const Result& result : results) {
+  for(const Result& result : results)
+  {
     out << result.model << ",\"" << result.method << "\"";
-    for (const Column& column : columns())
+    for(const Column& column : columns())
       out << "," << number(column.value(result), 6);
     out << "\n";
   }
@@ -80,8 +81,8 @@ inline void write_csv(std::ostream& out, const std::vector<Result>& results)
 // How many times as many vertices a second the first method gives on the same model
 inline double ratio_of_first(const std::vector<Result>& results, const Result& result)
 {
-  for (const Result& other : results)
-    if (other.model == result.model)
+  for(const Result& other : results)
+    if(other.model == result.model)
       return other.kilovertices_per_second() / result.kilovertices_per_second();
   return 1.;
 }
@@ -98,19 +99,19 @@ namespace internal {
 inline void write_row(std::ostream& out, const std::vector<std::string>& cells)
 {
   out << "|";
-  for (const std::string& cell : cells)
+  for(const std::string& cell : cells)
     out << " " << cell << " |";
   out << "\n";
 }
 
 inline void write_head(std::ostream& out, std::vector<std::string> cells, std::size_t number_of_texts)
 {
-  for (const Column& column : columns())
+  for(const Column& column : columns())
     cells.push_back(column.heading);
   cells.push_back("ours, times as fast");
   write_row(out, cells);
   out << "|";
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  for(std::size_t i = 0; i < cells.size(); ++i)
     out << (i < number_of_texts ? "---|" : "--:|");
   out << "\n";
 }
@@ -120,9 +121,10 @@ inline void write_head(std::ostream& out, std::vector<std::string> cells, std::s
 inline void write_markdown(std::ostream& out, const std::vector<Result>& results)
 {
   internal::write_head(out, {"model", "method"}, 2);
-  for (const Result& result : results) {
+  for(const Result& result : results)
+  {
     std::vector<std::string> cells = {result.model, result.method};
-    for (const Column& column : columns())
+    for(const Column& column : columns())
       cells.push_back(number(column.value(result), column.digits));
     cells.push_back(number(ratio_of_first(results, result), 1));
     internal::write_row(out, cells);
@@ -133,20 +135,21 @@ inline void write_markdown(std::ostream& out, const std::vector<Result>& results
 inline void write_medians(std::ostream& out, const std::vector<Result>& results)
 {
   std::vector<std::string> methods;
-  for (const Result& result : results)
-    if (std::find(methods.begin(), methods.end(), result.method) == methods.end())
+  for(const Result& result : results)
+    if(std::find(methods.begin(), methods.end(), result.method) == methods.end())
       methods.push_back(result.method);
   internal::write_head(out, {"method"}, 1);
-  for (const std::string& method : methods) {
+  for(const std::string& method : methods)
+  {
     const auto median_of = [&](const auto& value) {
       std::vector<double> values;
-      for (const Result& result : results)
-        if (result.method == method)
+      for(const Result& result : results)
+        if(result.method == method)
           values.push_back(value(result));
       return median(values);
     };
     std::vector<std::string> cells = {method};
-    for (const Column& column : columns())
+    for(const Column& column : columns())
       cells.push_back(number(median_of(column.value), column.digits));
     cells.push_back(number(median_of([&](const Result& r) { return ratio_of_first(results, r); }), 1));
     internal::write_row(out, cells);

@@ -15,6 +15,7 @@
 #include "command_line/output.h"
 #include "command_line/progress.h"
 #include "command_line/report.h"
+#include "command_line/stage_files.h"
 
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Timer.h>
@@ -43,20 +44,22 @@ const std::string version = "geodesic_remesh " GEODESIC_REMESHING_VERSION " (CGA
 template <class NamedParameters>
 GR::Summary remesh_to_target(const Mesh& input, const Options& options, Mesh& output, const NamedParameters& np)
 {
-  if (options.vertices)
+  if(options.vertices)
     return CGAL::geodesic_remeshing(input, *options.vertices, output, np);
-  if (options.faces)
+  if(options.faces)
     return CGAL::geodesic_remeshing(input, GR::Number_of_faces{*options.faces}, output, np);
   return CGAL::geodesic_remeshing(input, GR::Edge_length{*options.edge_length}, output, np);
 }
 
-GR::Summary remesh(const Mesh& input, const Options& options, Mesh& output)
+GR::Summary remesh(const Mesh& input, const Options& options, Mesh& output, GR::Stage_results& stages)
 {
   command_line::Progress progress(options.quiet);
-  const auto np = GR::parameters::use_segmentation(options.use_segmentation).visitor(std::ref(progress));
-  if (options.iterations)
-    return remesh_to_target(input, options, output, np.number_of_iterations(*options.iterations));
-  return remesh_to_target(input, options, output, np);
+  const auto np = GR::parameters::use_segmentation(options.use_segmentation)
+                      .number_of_iterations(options.iterations)
+                      .visitor(std::ref(progress));
+  if(options.regions.empty() && options.curves.empty())
+    return remesh_to_target(input, options, output, np);
+  return remesh_to_target(input, options, output, np.stage_results(std::ref(stages)));
 }
 
 void run(const Options& options)
@@ -65,27 +68,31 @@ void run(const Options& options)
   const Mesh input = command_line::read_mesh(options.input);
   command_line::Output_files files;
   files.announce(options.output);
-  if (!options.report.empty())
-    files.announce(options.report);
+  for(const std::string& name : {options.report, options.regions, options.curves})
+    if(!name.empty())
+      files.announce(name);
 
   Mesh output;
+  GR::Stage_results stages;
   Report report;
   CGAL::Timer timer;
   timer.start();
-  report.summary = remesh(input, options, output);
+  report.summary = remesh(input, options, output, stages);
   report.seconds = timer.time();
 
   files.write(options.output, [&](std::ostream& out) { write_output(out, output); });
+  files.write(options.regions, [&](std::ostream& out) { command_line::write_regions(out, stages); });
+  files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });
   const bool is_measured = !options.quiet || !options.report.empty();
-  if (is_measured) {
+  if(is_measured)
+  {
     report.input = mesh_quality::measure_quality(input);
     report.output = mesh_quality::measure_quality(output);
     report.distance = mesh_quality::measure_distance(input, output, 100000);
   }
-  if (!options.report.empty())
-    files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
+  files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
   files.put_into_place();
-  if (!options.quiet)
+  if(!options.quiet)
     command_line::write_table(std::cout, report);
 }
 
@@ -101,19 +108,30 @@ int main(int argc, char* argv[])
 {
   // what CGAL would write before it throws is in the exception as well, and ours is to be the only line
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
-  try {
-    if (const auto options = command_line::read_options(argc, argv, version))
+  try
+  {
+    if(const auto options = command_line::read_options(argc, argv, version))
       run(*options);
     return done;
-  } catch (const command_line::Usage_error& error) {
+  }
+  catch(const command_line::Usage_error& error)
+  {
     return complain(error.what(), wrong_usage);
-  } catch (const command_line::Input_error& error) {
+  }
+  catch(const command_line::Input_error& error)
+  {
     return complain(error.what(), bad_input);
-  } catch (const std::invalid_argument& error) {
+  }
+  catch(const std::invalid_argument& error)
+  {
     return complain(error.what(), bad_input);
-  } catch (const std::bad_alloc&) {
+  }
+  catch(const std::bad_alloc&)
+  {
     return complain("out of memory", cannot_remesh);
-  } catch (const std::exception& error) {
+  }
+  catch(const std::exception& error)
+  {
     std::string message = error.what();
     std::replace(message.begin(), message.end(), '\n', ' ');
     return complain(message, cannot_remesh);

@@ -14,7 +14,8 @@ int main(int argc, char* argv[])
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/bear.off");
   Mesh mesh;
-  if (!CGAL::IO::read_OFF(file_name, mesh)) {
+  if(!CGAL::IO::read_OFF(file_name, mesh))
+  {
     std::cerr << "cannot read " << file_name << "\n";
     return EXIT_FAILURE;
   }

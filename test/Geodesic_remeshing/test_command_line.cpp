@@ -113,16 +113,19 @@ std::string ply_of_off(const std::string& name)
   out << "ply\nformat binary_little_endian 1.0\nelement vertex " << vertices
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << faces
       << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (std::size_t i = 0; i < 3 * vertices; ++i) {
+  for(std::size_t i = 0; i < 3 * vertices; ++i)
+  {
     double coordinate = 0.;
     in >> coordinate;
     out.write(reinterpret_cast<const char*>(&coordinate), sizeof(coordinate));
   }
-  for (std::size_t f = 0; f < faces; ++f) {
+  for(std::size_t f = 0; f < faces; ++f)
+  {
     int size = 0;
     in >> size;
     out.put(static_cast<char>(size));
-    for (int i = 0; i < size; ++i) {
+    for(int i = 0; i < size; ++i)
+    {
       int vertex = 0;
       in >> vertex;
       out.write(reinterpret_cast<const char*>(&vertex), sizeof(vertex));
@@ -161,9 +164,10 @@ TEST_F(Command_line, report_has_all_keys)
 {
   ASSERT_EQ(run(mesh("eight") + " " + output() + " --vertices 1000 --quiet --report " + output("r.json")).status, 0);
   const auto report = nlohmann::json::parse(contents(output("r.json")));
-  for (const char* side : {"input", "output"}) {
-    for (const char* key : {"vertices", "faces", "components", "genus", "boundary_loops", "min_angle", "mean_min_angle",
-                            "percent_below_30", "percent_irregular"})
+  for(const char* side : {"input", "output"})
+  {
+    for(const char* key : {"vertices", "faces", "components", "genus", "boundary_loops", "min_angle", "mean_min_angle",
+                           "percent_below_30", "percent_irregular"})
       EXPECT_TRUE(report[side].contains(key)) << side << " " << key;
     EXPECT_EQ(report[side]["genus"], 2);
     EXPECT_EQ(report[side]["components"], 1);
@@ -172,10 +176,46 @@ TEST_F(Command_line, report_has_all_keys)
   EXPECT_EQ(report["output"]["vertices"], 1000);
   EXPECT_GT(report["output"]["hausdorff_percent"].get<double>(), 0.);
   EXPECT_GE(report["output"]["hausdorff_percent"].get<double>(), report["output"]["rms_percent"].get<double>());
-  for (const char* key : {"edge_length", "regions", "curves", "strips"})
+  for(const char* key : {"edge_length", "regions", "curves", "strips"})
     EXPECT_GT(report[key].get<double>(), 0.) << key;
   EXPECT_TRUE(report["seconds"].contains("total"));
   EXPECT_GE(report["seconds"].size(), 2u);
+}
+
+TEST_F(Command_line, regions_and_curves)
+{
+  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 1000 --report " + output("r.json") +
+                              " --regions " + output("r.ply") + " --curves " + output("c.obj"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string regions = contents(output("r.ply"));
+  EXPECT_NE(regions.find("property int region"), std::string::npos);
+  EXPECT_NE(regions.find("property uchar red"), std::string::npos);
+
+  std::ifstream curves(output("c.obj"));
+  std::size_t number_of_points = 0;
+  std::size_t number_of_curves = 0;
+  for(std::string line; std::getline(curves, line);)
+  {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    number_of_points += kind == "v";
+    number_of_curves += kind == "l";
+    for(std::size_t index = 0; kind == "l" && words >> index;)
+      EXPECT_LE(index, number_of_points);
+  }
+  const auto report = nlohmann::json::parse(contents(output("r.json")));
+  EXPECT_EQ(report["curves"], number_of_curves);
+}
+
+TEST_F(Command_line, without_segmentation_there_is_one_region)
+{
+  ASSERT_EQ(
+      run(mesh("eight") + " " + output() + " --vertices 1000 --no-segmentation --report " + output("r.json")).status,
+      0);
+  const auto report = nlohmann::json::parse(contents(output("r.json")));
+  EXPECT_EQ(report["regions"], 1);
+  EXPECT_EQ(report["output"]["vertices"], 1000);
 }
 
 TEST_F(Command_line, quiet_says_nothing)
@@ -187,7 +227,8 @@ TEST_F(Command_line, quiet_says_nothing)
 
 TEST_F(Command_line, every_format_is_written)
 {
-  for (const char* name : {"out.off", "out.obj", "out.ply", "out.stl", "out.ts"}) {
+  for(const char* name : {"out.off", "out.obj", "out.ply", "out.stl", "out.ts"})
+  {
     EXPECT_EQ(run(mesh("eight") + " " + output(name) + " --vertices 500 --quiet").status, 0);
     EXPECT_GT(fs::file_size(output(name)), 500u);
     // and read again
@@ -217,8 +258,8 @@ TEST_F(Command_line, help_and_version)
 {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* option : {"--vertices", "--faces", "--edge-length", "--no-segmentation", "--iterations", "--report",
-                             "--regions", "--curves", "--quiet", "--help", "--version"})
+  for(const char* option : {"--vertices", "--faces", "--edge-length", "--no-segmentation", "--iterations", "--report",
+                            "--regions", "--curves", "--quiet", "--help", "--version"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   EXPECT_EQ(run("--version").status, 0);
 }
@@ -246,8 +287,8 @@ TEST_F(Command_line, wrong_usage)
 TEST_F(Command_line, option_that_does_not_exist_yet_is_refused)
 {
   const std::string usual = mesh("eight") + " " + output() + " --vertices 100 ";
-  for (const char* option : {"--contrast 0.5", "--gaussian-weight 1", "--mean-weight 1", "--gradation 1",
-                             "--sizing s.txt", "--feature-angle 60", "--fit", "--threads 2"})
+  for(const char* option : {"--contrast 0.5", "--gaussian-weight 1", "--mean-weight 1", "--gradation 1",
+                            "--sizing s.txt", "--feature-angle 60", "--fit", "--threads 2"})
     expect_failure(usual + option, 1, "unrecognised option");
 }
 
@@ -303,15 +344,15 @@ TEST_F(Command_line, input_that_is_not_manifold)
   expect_bad_input(file("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
                                       "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n"),
                    "vertex 0");
-  expect_bad_input(file("turned.off", std::string("OFF\n4 4 0\n") + tetrahedron_points +
-                                        "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-                   "not oriented");
-  expect_bad_input(file("twice.off", std::string("OFF\n4 4 0\n") + tetrahedron_points +
-                                       "3 0 2 1\n3 0 1 1\n3 1 2 3\n3 2 0 3\n"),
-                   "twice.off");
-  expect_bad_input(file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points +
-                                       "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n"),
-                   "index.off");
+  expect_bad_input(
+      file("turned.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+      "not oriented");
+  expect_bad_input(
+      file("twice.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 1\n3 1 2 3\n3 2 0 3\n"),
+      "twice.off");
+  expect_bad_input(
+      file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n"),
+      "index.off");
 }
 
 TEST_F(Command_line, fewer_vertices_than_the_topology_needs)

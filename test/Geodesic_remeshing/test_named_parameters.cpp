@@ -25,13 +25,15 @@ bool segmentation_wanted(const NamedParameters& np = CGAL::parameters::default_v
   return parameters::choose_parameter(parameters::get_parameter(np, GR::internal_np::use_segmentation), true);
 }
 
-template <typename NamedParameters> unsigned int iterations_wanted(const NamedParameters& np)
+template <typename NamedParameters>
+unsigned int iterations_wanted(const NamedParameters& np)
 {
   return parameters::choose_parameter(parameters::get_parameter(np, GR::internal_np::number_of_iterations), 1);
 }
 
 // the form in which functions of CGAL declare their pack
-template <typename CGAL_NP_TEMPLATE_PARAMETERS> int iterations_by_cgal(const CGAL_NP_CLASS& np)
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+int iterations_by_cgal(const CGAL_NP_CLASS& np)
 {
   return CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 1);
@@ -71,7 +73,8 @@ TEST(Named_parameters, functions_of_cgal_take_our_pack)
   CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
                          Kernel::Point_3(0, 0, 1), mesh);
   const auto pack = parameters::vertex_point_map(mesh.points()).use_segmentation(true);
-  EXPECT_NEAR(CGAL::Polygon_mesh_processing::area(mesh, GR::internal::cgal_pack(pack)), 1.5 + std::sqrt(3.) / 2., 1e-12);
+  EXPECT_NEAR(CGAL::Polygon_mesh_processing::area(mesh, GR::internal::cgal_pack(pack)), 1.5 + std::sqrt(3.) / 2.,
+              1e-12);
 }
 
 TEST(Named_parameters, reference_to_an_object_of_the_caller_survives_the_chain)
@@ -79,8 +82,8 @@ TEST(Named_parameters, reference_to_an_object_of_the_caller_survives_the_chain)
   int visits = 0;
   const auto pack = parameters::visitor(std::ref(visits)).use_segmentation(false);
   int fallback = 0;
-  int& seen = parameters::choose_parameter(
-      parameters::get_parameter_reference(pack, GR::internal_np::visitor), fallback);
+  int& seen =
+      parameters::choose_parameter(parameters::get_parameter_reference(pack, GR::internal_np::visitor), fallback);
   ++seen;
   EXPECT_EQ(visits, 1);
 }

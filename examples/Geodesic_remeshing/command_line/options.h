@@ -35,7 +35,7 @@ struct Options
   std::optional<std::size_t> vertices; // exactly one of these three is set
   std::optional<std::size_t> faces;
   std::optional<double> edge_length;
-  std::optional<unsigned int> iterations; // unset: the default of the library
+  unsigned int iterations = 3;
   bool use_segmentation = true;
   bool quiet = false;
   std::string report; // empty: none
@@ -56,7 +56,7 @@ inline po::options_description visible_options()
     ("faces", po::value<long long>()->value_name("N"), "N faces")
     ("edge-length", po::value<double>()->value_name("L"), "edges about as long as L")
     ("no-segmentation", po::bool_switch(), "one region: curves around the root all over the surface")
-    ("iterations", po::value<long long>()->value_name("K"), "rounds of improvement")
+    ("iterations", po::value<long long>()->value_name("K"), "rounds of improvement (3)")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
     ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")
     ("curves", po::value<std::string>()->value_name("FILE.obj"), "write the equidistant curves")
@@ -77,7 +77,8 @@ inline po::variables_map parse(int argc, const char* const* argv)
   // An option must be spelt out: what is a prefix of one name today may be one of two tomorrow.
   namespace style = po::command_line_style;
   po::variables_map values;
-  try {
+  try
+  {
     po::store(po::command_line_parser(argc, argv)
                   .options(all)
                   .positional(positional)
@@ -85,7 +86,9 @@ inline po::variables_map parse(int argc, const char* const* argv)
                   .run(),
               values);
     po::notify(values);
-  } catch (const po::error& error) {
+  }
+  catch(const po::error& error)
+  {
     throw Usage_error(error.what());
   }
   return values;
@@ -94,33 +97,34 @@ inline po::variables_map parse(int argc, const char* const* argv)
 // Read as a signed number, because the standard library takes "-1" for a huge unsigned one.
 inline std::optional<std::size_t> count(const po::variables_map& values, const std::string& name, long long smallest)
 {
-  if (values.count(name) == 0)
+  if(values.count(name) == 0)
     return std::nullopt;
   const long long value = values[name].as<long long>();
-  if (value < smallest)
+  if(value < smallest)
     throw Usage_error("--" + name + " must be at least " + std::to_string(smallest));
   return static_cast<std::size_t>(value);
 }
 
 inline std::string file_name(const po::variables_map& values, const std::string& name)
 {
-  if (values.count(name) == 0)
+  if(values.count(name) == 0)
     return {};
   const std::string value = values[name].as<std::string>();
-  if (value.empty())
+  if(value.empty())
     throw Usage_error("the file name of " + name + " is empty");
   return value;
 }
 
 inline void read_target(const po::variables_map& values, Options& options)
 {
-  if (values.count("vertices") + values.count("faces") + values.count("edge-length") != 1)
+  if(values.count("vertices") + values.count("faces") + values.count("edge-length") != 1)
     throw Usage_error("exactly one of --vertices, --faces and --edge-length is needed");
   options.vertices = count(values, "vertices", 4);
   options.faces = count(values, "faces", 4);
-  if (values.count("edge-length") != 0) {
+  if(values.count("edge-length") != 0)
+  {
     options.edge_length = values["edge-length"].as<double>();
-    if (!std::isfinite(*options.edge_length) || *options.edge_length <= 0.)
+    if(!std::isfinite(*options.edge_length) || *options.edge_length <= 0.)
       throw Usage_error("--edge-length must be a positive number");
   }
 }
@@ -140,21 +144,23 @@ inline void print_help(std::ostream& out)
 inline std::optional<Options> read_options(int argc, const char* const* argv, const std::string& version)
 {
   const auto values = internal::parse(argc, argv);
-  if (values["help"].as<bool>()) {
+  if(values["help"].as<bool>())
+  {
     print_help(std::cout);
     return std::nullopt;
   }
-  if (values["version"].as<bool>()) {
+  if(values["version"].as<bool>())
+  {
     std::cout << version << "\n";
     return std::nullopt;
   }
   Options options;
   options.input = internal::file_name(values, "input");
   options.output = internal::file_name(values, "output");
-  if (options.input.empty() || options.output.empty())
+  if(options.input.empty() || options.output.empty())
     throw Usage_error("INPUT and OUTPUT are needed (see --help)");
   internal::read_target(values, options);
-  if (const auto iterations = internal::count(values, "iterations", 0))
+  if(const auto iterations = internal::count(values, "iterations", 0))
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
   options.use_segmentation = !values["no-segmentation"].as<bool>();
   options.quiet = values["quiet"].as<bool>();

@@ -46,7 +46,7 @@ public:
   ~Output_files()
   {
     std::error_code ignored;
-    for (const auto& file : files_)
+    for(const auto& file : m_files)
       std::filesystem::remove(file.temporary, ignored);
   }
 
@@ -57,42 +57,46 @@ public:
     const fs::path place(name);
     std::error_code error;
     // renaming a file onto a device would replace the device
-    if (fs::exists(place, error) && !fs::is_regular_file(place, error))
+    if(fs::exists(place, error) && !fs::is_regular_file(place, error))
       throw Output_error(name + " cannot be written: not a regular file");
-    for (const auto& file : files_)
-      if (file.place == place)
+    for(const auto& file : m_files)
+      if(file.place == place)
         throw Output_error(name + " is asked for twice");
     fs::path temporary = place;
     temporary.replace_filename("." + place.filename().string() + "." + process_id());
-    if (!std::ofstream(temporary))
+    if(!std::ofstream(temporary))
       throw Output_error(name + " cannot be written");
-    files_.push_back({place, temporary});
+    m_files.push_back({place, temporary});
   }
 
-  // `write` is given a stream; the file counts as written only if all of it reached the disk.
-  template <class Write> void write(const std::string& name, const Write& write) const
+  // `write` is given a stream, unless the file was not announced: no name, not wanted. The file counts as written only if
+  // all of it reached the disk.
+  template <class Write>
+  void write(const std::string& name, const Write& write) const
   {
-    for (const auto& file : files_) {
-      if (file.place != name)
+    for(const auto& file : m_files)
+    {
+      if(file.place != name)
         continue;
       std::ofstream stream(file.temporary, std::ios::binary);
       stream.precision(17);
       write(stream);
       stream.close();
-      if (!stream)
+      if(!stream)
         throw Output_error(name + " cannot be written");
     }
   }
 
   void put_into_place()
   {
-    for (const auto& file : files_) {
+    for(const auto& file : m_files)
+    {
       std::error_code error;
       std::filesystem::rename(file.temporary, file.place, error);
-      if (error)
+      if(error)
         throw Output_error(file.place.string() + " cannot be written: " + error.message());
     }
-    files_.clear();
+    m_files.clear();
   }
 
 private:
@@ -101,7 +105,7 @@ private:
     std::filesystem::path place;
     std::filesystem::path temporary;
   };
-  std::vector<File> files_;
+  std::vector<File> m_files;
 };
 
 using Mesh_writer = void (*)(std::ostream&, const mesh_quality::Mesh&);
@@ -112,25 +116,25 @@ inline Mesh_writer mesh_writer(const std::string& file_name)
 {
   using Mesh = mesh_quality::Mesh;
   const std::string ending = CGAL::IO::internal::get_file_extension(file_name);
-  if (ending == "off")
+  if(ending == "off")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(17));
     };
-  if (ending == "obj")
+  if(ending == "obj")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::write_OBJ(out, mesh, CGAL::parameters::stream_precision(17));
     };
-  if (ending == "ply")
+  if(ending == "ply")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::set_binary_mode(out);
       CGAL::IO::write_PLY(out, mesh);
     };
-  if (ending == "stl")
+  if(ending == "stl")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::set_binary_mode(out);
       CGAL::IO::write_STL(out, mesh);
     };
-  if (ending == "ts")
+  if(ending == "ts")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::write_GOCAD(out, mesh, CGAL::parameters::stream_precision(17));
     };

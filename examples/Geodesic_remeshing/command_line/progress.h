@@ -29,8 +29,7 @@ inline volatile std::sig_atomic_t interrupted = 0;
 class Progress
 {
 public:
-  explicit Progress(bool quiet)
-    : shown_(!quiet && standard_error_is_a_terminal())
+  explicit Progress(bool quiet) : m_shown(!quiet && standard_error_is_a_terminal())
   {
     std::signal(SIGINT, [](int) { internal::interrupted = 1; });
   }
@@ -46,7 +45,7 @@ public:
 
   void stage(const std::string& name)
   {
-    stage_ = name;
+    m_stage = name;
     show(0.);
   }
 
@@ -61,24 +60,24 @@ private:
   {
     constexpr int width = 30;
     const int full = static_cast<int>(done * width);
-    if (!shown_ || (full == full_ && stage_ == shown_stage_))
+    if(!m_shown || (full == m_full && m_stage == m_shown_stage))
       return;
-    full_ = full;
-    shown_stage_ = stage_;
+    m_full = full;
+    m_shown_stage = m_stage;
     const std::string bar = std::string(full, '#') + std::string(width - full, ' ');
-    std::cerr << "\r\033[K[" << bar << "] " << stage_ << std::flush;
+    std::cerr << "\r\033[K[" << bar << "] " << m_stage << std::flush;
   }
 
   void erase() const
   {
-    if (shown_)
+    if(m_shown)
       std::cerr << "\r\033[K" << std::flush;
   }
 
-  bool shown_;
-  int full_ = -1;
-  std::string stage_;
-  std::string shown_stage_;
+  bool m_shown;
+  int m_full = -1;
+  std::string m_stage;
+  std::string m_shown_stage;
 };
 
 } // namespace command_line

@@ -73,7 +73,7 @@ inline void write_json(std::ostream& out, const Report& report)
   json["regions"] = report.summary.number_of_regions;
   json["curves"] = report.summary.number_of_curves;
   json["strips"] = report.summary.number_of_strips;
-  for (const auto& [stage, seconds] : report.summary.seconds)
+  for(const auto& [stage, seconds] : report.summary.seconds)
     json["seconds"][stage] = seconds;
   json["seconds"]["total"] = report.seconds;
   out << json.dump(2) << "\n";

@@ -42,20 +42,20 @@ struct Quality
   std::size_t components = 0;
   std::size_t genus = 0; // the sum over the components
   std::size_t boundary_loops = 0;
-  double min_angle = 180.; // angles in degrees
-  double mean_min_angle = 0.; // over the faces
-  double percent_below_30 = 0.; // faces with an angle below 30 degrees
+  double min_angle = 180.;       // angles in degrees
+  double mean_min_angle = 0.;    // over the faces
+  double percent_below_30 = 0.;  // faces with an angle below 30 degrees
   double percent_irregular = 0.; // inner vertices with other than six neighbours
-  double diagonal = 0.; // of the bounding box
+  double diagonal = 0.;          // of the bounding box
 };
 
 // Distances in percent of the diagonal of the reference
 struct Distance
 {
   double hausdorff_percent = 0.; // the larger of both directions, sampled
-  double rms_percent = 0.; // from the reference to the mesh
-  double rms_back_percent = 0.; // from the mesh to the reference
-  double vertices_percent = 0.; // the farthest vertex of the mesh from the reference
+  double rms_percent = 0.;       // from the reference to the mesh
+  double rms_back_percent = 0.;  // from the mesh to the reference
+  double vertices_percent = 0.;  // the farthest vertex of the mesh from the reference
 };
 
 inline double diagonal(const Mesh& mesh)
@@ -74,7 +74,7 @@ inline double smallest_angle(const std::array<Point, 3>& p)
 {
   const double twice_area = std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length());
   double smallest = CGAL_PI;
-  for (int i = 0; i < 3; ++i)
+  for(int i = 0; i < 3; ++i)
     smallest = (std::min)(smallest, std::atan2(twice_area, (p[(i + 1) % 3] - p[i]) * (p[(i + 2) % 3] - p[i])));
   return smallest * 180. / CGAL_PI;
 }
@@ -84,7 +84,8 @@ namespace internal {
 inline void measure_angles(const Mesh& mesh, Quality& quality)
 {
   std::size_t below_30 = 0;
-  for (const auto f : mesh.faces()) {
+  for(const auto f : mesh.faces())
+  {
     const double angle = smallest_angle(corners(mesh, f));
     quality.min_angle = (std::min)(quality.min_angle, angle);
     quality.mean_min_angle += angle;
@@ -98,11 +99,12 @@ inline void measure_valences(const Mesh& mesh, Quality& quality)
 {
   std::size_t inner = 0;
   std::size_t irregular = 0;
-  for (const auto v : mesh.vertices()) {
-    if (mesh.is_isolated(v))
+  for(const auto v : mesh.vertices())
+  {
+    if(mesh.is_isolated(v))
       continue;
     ++quality.vertices;
-    if (mesh.is_border(v))
+    if(mesh.is_border(v))
       continue;
     ++inner;
     irregular += mesh.degree(v) != 6;
@@ -114,11 +116,12 @@ inline std::size_t number_of_boundary_loops(const Mesh& mesh)
 {
   std::vector<bool> seen(mesh.num_halfedges(), false);
   std::size_t loops = 0;
-  for (const auto start : mesh.halfedges()) {
-    if (!mesh.is_border(start) || seen[start.idx()])
+  for(const auto start : mesh.halfedges())
+  {
+    if(!mesh.is_border(start) || seen[start.idx()])
       continue;
     ++loops;
-    for (auto h = start; !seen[h.idx()]; h = mesh.next(h))
+    for(auto h = start; !seen[h.idx()]; h = mesh.next(h))
       seen[h.idx()] = true;
   }
   return loops;
@@ -162,29 +165,30 @@ public:
     // A face without area adds nothing to the surface, and has no plane to project on.
     std::vector<Mesh::Face_index> faces;
     faces.reserve(mesh.number_of_faces());
-    for (const auto f : mesh.faces()) {
+    for(const auto f : mesh.faces())
+    {
       const auto p = corners(mesh, f);
-      if (!CGAL::collinear(p[0], p[1], p[2]))
+      if(!CGAL::collinear(p[0], p[1], p[2]))
         faces.push_back(f);
     }
-    tree_.rebuild(faces.begin(), faces.end(), mesh);
-    tree_.build();
-    if (!faces.empty())
-      last_ = {corners(mesh, faces.front())[0], faces.front()};
+    m_tree.rebuild(faces.begin(), faces.end(), mesh);
+    m_tree.build();
+    if(!faces.empty())
+      m_last = {corners(mesh, faces.front())[0], faces.front()};
   }
 
   // Queries are fast when each is near the one before: the answer to that one bounds the search.
   double distance(const Point& query)
   {
-    if (tree_.empty())
+    if(m_tree.empty())
       return 0.;
-    last_ = tree_.closest_point_and_primitive(query, last_);
-    return std::sqrt(CGAL::squared_distance(query, last_.first));
+    m_last = m_tree.closest_point_and_primitive(query, m_last);
+    return std::sqrt(CGAL::squared_distance(query, m_last.first));
   }
 
 private:
-  Tree tree_;
-  Tree::Point_and_primitive_id last_;
+  Tree m_tree;
+  Tree::Point_and_primitive_id m_last;
 };
 
 struct One_sided_distance
@@ -198,8 +202,8 @@ inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t l
   const std::size_t stride = 1 + from.number_of_vertices() / largest_number;
   double farthest = 0.;
   std::size_t count = 0;
-  for (const auto v : from.vertices())
-    if (!from.is_isolated(v) && count++ % stride == 0)
+  for(const auto v : from.vertices())
+    if(!from.is_isolated(v) && count++ % stride == 0)
       farthest = (std::max)(farthest, to.distance(from.point(v)));
   return farthest;
 }
@@ -210,7 +214,8 @@ inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to
 {
   std::vector<double> areas;
   double total_area = 0.;
-  for (const auto f : from.faces()) {
+  for(const auto f : from.faces())
+  {
     const auto p = corners(from, f);
     areas.push_back(std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length()) / 2.);
     total_area += areas.back();
@@ -220,16 +225,19 @@ inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to
   double area_before = 0.;
   std::size_t samples = 0;
   std::size_t index = 0;
-  for (const auto f : from.faces()) {
+  for(const auto f : from.faces())
+  {
     const auto p = corners(from, f);
     area_before += areas[index++];
-    while (samples < number_of_samples &&
-           (static_cast<double>(samples) + .5) * total_area < area_before * static_cast<double>(number_of_samples)) {
+    while(samples < number_of_samples &&
+          (static_cast<double>(samples) + .5) * total_area < area_before * static_cast<double>(number_of_samples))
+    {
       ++samples;
       // the additive sequence of the plastic number, folded into the triangle
       double u = std::fmod(.7548776662466927 * static_cast<double>(samples), 1.);
       double v = std::fmod(.5698402909980532 * static_cast<double>(samples), 1.);
-      if (u + v > 1.) {
+      if(u + v > 1.)
+      {
         u = 1. - u;
         v = 1. - v;
       }

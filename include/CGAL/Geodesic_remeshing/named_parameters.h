@@ -41,15 +41,13 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
   typedef CGAL::Named_function_parameters<T, Tag, Base> Cgal_pack;
 
-  Named_parameters(const Cgal_pack& pack)
-    : Cgal_pack(pack)
-  {
-  }
+  Named_parameters(const Cgal_pack& pack) : Cgal_pack(pack) {}
 
   const Cgal_pack& cgal_pack() const { return *this; }
 
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
-  template <typename K> Named_parameters<K, internal_np::X, Cgal_pack> Z(const K& k) const                             \
+  template <typename K>                                                                                                \
+  Named_parameters<K, internal_np::X, Cgal_pack> Z(const K& k) const                                                   \
   {                                                                                                                    \
     return {CGAL::Named_function_parameters<K, internal_np::X, Cgal_pack>(k, cgal_pack())};                            \
   }
@@ -68,7 +66,8 @@ using CGAL::parameters::is_default_parameter;
 
 // the head of a chain
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
-  template <typename K> Named_parameters<K, internal_np::X> Z(const K& k)                                              \
+  template <typename K>                                                                                                \
+  Named_parameters<K, internal_np::X> Z(const K& k)                                                                    \
   {                                                                                                                    \
     return {CGAL::Named_function_parameters<K, internal_np::X>(k)};                                                    \
   }
