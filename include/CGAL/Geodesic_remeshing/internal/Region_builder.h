@@ -114,10 +114,11 @@ public:
       for(Vertex v : ways[i])
         if(!m_fronts.is_taken(v))
         {
-          put_on_bridge(v, regions[i], splits);
+          put_on_bridge(v, regions[i], m_result.region[ways[i].back()], splits);
           bridge.push_back(v);
         }
-    put_on_bridge(saddle, regions.front(), splits);
+    const int beside = ways.front().empty() ? regions.front() : m_result.region[ways.front().back()];
+    put_on_bridge(saddle, regions.front(), beside, splits);
     add_bridges(saddle, ways);
     return open_below(saddle, junction, bridge, closed);
   }
@@ -188,12 +189,12 @@ private:
   }
 
   // A vertex of a bridge lies on the bottom of the region above and on the top of the one below. Where fronts merge it counts
-  // as part of a region above; where a front splits that would close that region to a ring around nothing, so it counts
-  // as part of the first region below, which `open_below` is about to add.
-  void put_on_bridge(Vertex v, int above, bool splits)
+  // as part of the region that the bridge ends at; where a front splits that would close that region to a ring around
+  // nothing, so it counts as part of the first region below, which `open_below` is about to add.
+  void put_on_bridge(Vertex v, int above, int beside, bool splits)
   {
     const Region& region = m_result.regions[above];
-    m_result.region[v] = splits ? static_cast<int>(m_result.regions.size()) : above;
+    m_result.region[v] = splits ? static_cast<int>(m_result.regions.size()) : beside;
     m_fronts.take(v);
     if(m_result.field_region[v] >= 0)
       return;

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_TARGET_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_TARGET_H
+
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// An equilateral triangulation of edge length e has 2 / sqrt(3) vertices for each e * e of area.
+inline double edge_length_for(double area, std::size_t vertices)
+{
+  return std::sqrt(2. * area / (std::sqrt(3.) * static_cast<double>(vertices)));
+}
+
+inline std::size_t vertices_for_length(double area, double length)
+{
+  if(!(length > 0.) || !std::isfinite(length))
+    reject("the edge length must be positive and finite");
+  const double vertices = 2. * area / (std::sqrt(3.) * length * length);
+  if(!(vertices < 2e9))
+    reject("the edge length is too small: it asks for " + std::to_string(vertices) + " vertices");
+  return (std::max)(std::size_t(4), static_cast<std::size_t>(std::llround(vertices)));
+}
+
+inline std::size_t vertices_for_faces(std::ptrdiff_t euler_characteristic, std::size_t faces)
+{
+  const std::ptrdiff_t vertices = static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic; // V - E + F, and 3 F = 2 E
+  if(vertices < 4)
+    throw Remeshing_error("geodesic remeshing: no mesh of this topology has only " + std::to_string(faces) + " faces");
+  return static_cast<std::size_t>(vertices);
+}
+
+// The number of vertices that a target means for this surface
+template <class Target>
+std::size_t number_of_vertices_for(const Target& target, const Mesh& surface)
+{
+  static_assert(!std::is_floating_point<Target>::value,
+                "geodesic_remeshing: a number of vertices is an integer; for a length write Edge_length{...}");
+  if constexpr(std::is_same<Target, Edge_length>::value)
+    return vertices_for_length(area(surface), target.value);
+  else if constexpr(std::is_same<Target, Number_of_faces>::value)
+    return vertices_for_faces(euler_characteristic(surface), target.value);
+  else
+  {
+    static_assert(std::is_integral<Target>::value, "geodesic_remeshing: the target is a number of vertices, "
+                                                   "Number_of_faces{...} or Edge_length{...}");
+    if(!(target > 0))
+      reject("the number of vertices must be positive");
+    return static_cast<std::size_t>(target);
+  }
+}
+
+// The fewest vertices that a closed surface of this Euler characteristic can be triangulated with: at most n (n - 1) / 2
+// edges fit between n vertices (Heawood), which is attained but for genus 2, where it takes ten (Jungerman, Ringel).
+inline std::size_t fewest_vertices(std::ptrdiff_t euler_characteristic)
+{
+  if(euler_characteristic == -2)
+    return 10;
+  std::ptrdiff_t n = 4;
+  while(n * (n - 1) / 2 < 3 * (n - euler_characteristic))
+    ++n;
+  return static_cast<std::size_t>(n);
+}
+
+// Throws if no mesh with so few vertices has the topology of the surface.
+inline void check_number_of_vertices(std::size_t number, std::size_t needed)
+{
+  if(number < needed)
+    throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: the topology of the input "
+                          "needs " + std::to_string(needed));
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_TARGET_H

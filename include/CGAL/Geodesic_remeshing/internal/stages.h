@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
+
+#include <CGAL/Geodesic_remeshing/geodesic_diameter.h>
+#include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
+#include <CGAL/Geodesic_remeshing/internal/Target.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
+#include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/region_sweep.h>
+#include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
+#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// The small steps between the stages, so that the front door holds nothing but their order.
+
+// The root of each connected component. On the surface as it came in: refined, it would cost more and change nothing.
+inline std::vector<Vertex> find_roots(const Mesh& surface)
+{
+  const Intrinsic_triangulation triangulation(surface);
+  Fast_marching marching(triangulation);
+  return farthest_roots(surface, marching);
+}
+
+// The fewest vertices that every component together needs
+inline std::size_t fewest_vertices(const Mesh& surface, const std::vector<Vertex>& roots)
+{
+  std::size_t sum = 0;
+  std::vector<char> seen(surface.number_of_vertices(), 0);
+  std::vector<Vertex> stack;
+  for(Vertex root : roots)
+  {
+    std::ptrdiff_t vertices = 0, halfedges = 0;
+    stack.assign(1, root);
+    seen[root] = 1;
+    while(!stack.empty())
+    {
+      const Vertex v = stack.back();
+      stack.pop_back();
+      ++vertices;
+      for(Halfedge h : surface.halfedges_around_target(surface.halfedge(v)))
+      {
+        ++halfedges;
+        if(!seen[surface.source(h)])
+          stack.push_back(surface.source(h));
+        seen[surface.source(h)] = 1;
+      }
+    }
+    sum += fewest_vertices(vertices - halfedges / 6); // E = H / 2 and 3 F = 2 E
+  }
+  return sum;
+}
+
+// The distance of the vertices of the working surface from the root of their component
+inline std::vector<double> distances_from(const std::vector<Vertex>& roots, const Mesh& mesh, Fast_marching& marching)
+{
+  for(Vertex r : roots)
+    marching.add_source(r);
+  marching.march(Front_shape::circular);
+  std::vector<double> result;
+  result.reserve(mesh.number_of_vertices());
+  for(Vertex v : mesh.vertices())
+    result.push_back(marching.distance(v));
+  return result;
+}
+
+inline Segmentation segment(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance,
+                            const std::vector<Vertex>& roots, double curve_distance, bool use_segmentation)
+{
+  const Vertex_order order = order_vertices(mesh, distance, roots);
+  return use_segmentation ? segment(mesh, marching, distance, order, curve_distance)
+                          : one_region(mesh, distance, order, roots.front(), curve_distance);
+}
+
+// ---- for those who want to look at the stages
+
+inline void keep_working_surface(const Mesh& mesh, const std::vector<double>& distance, Stage_results* results)
+{
+  if(results == nullptr)
+    return;
+  results->working_surface = Mesh();
+  for(Vertex v : mesh.vertices())
+    results->working_surface.add_vertex(mesh.point(v));
+  for(Face f : mesh.faces())
+  {
+    const auto v = vertices_of(mesh, f);
+    results->working_surface.add_face(v[0], v[1], v[2]);
+  }
+  auto map = results->working_surface.add_property_map<Vertex, double>("v:distance", 0.).first;
+  for(Vertex v : mesh.vertices())
+    map[v] = distance[v];
+}
+
+inline void keep_regions(const Mesh& mesh, const Segmentation& segmentation, Stage_results* results)
+{
+  if(results != nullptr)
+    results->regions = cut_along_regions(mesh, segmentation);
+}
+
+inline void keep_curves(const Mesh& mesh, const Level_curves& curves, Stage_results* results)
+{
+  if(results == nullptr)
+    return;
+  results->curves.clear();
+  for(const Level_curve& curve : curves.curves)
+  {
+    std::vector<Point> polyline;
+    for(std::size_t i = curve.begin; i < curve.end; ++i)
+      polyline.push_back(point_at(mesh, curves.points[i]));
+    if(curve.is_closed)
+      polyline.push_back(polyline.front());
+    results->curves.push_back(polyline);
+  }
+}
+
+inline void keep_samples(const std::vector<Sample>& samples, Stage_results* results)
+{
+  if(results == nullptr)
+    return;
+  results->samples.clear();
+  for(const Sample& s : samples)
+    results->samples.push_back(s.point);
+}
+
+inline void keep_strips(const Mesh& mesh, Stage_results* results)
+{
+  if(results != nullptr)
+    results->strips = mesh;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_UNPACK_PARAMETERS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_UNPACK_PARAMETERS_H
+
+#include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/named_parameters.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Is this type a pack of named parameters, of CGAL or of ours? Tells `f(mesh, target, np)` from `f(mesh, target, out)`.
+struct Is_named_parameters_test
+{
+  template <class T, class Tag, class Base>
+  static std::true_type test(const CGAL::Named_function_parameters<T, Tag, Base>*);
+  static std::false_type test(const void*);
+};
+template <class T>
+struct is_named_parameters : decltype(Is_named_parameters_test::test(static_cast<T*>(nullptr)))
+{};
+
+struct Options
+{
+  bool use_segmentation;
+  std::size_t number_of_iterations;
+  bool use_defect_moves;
+
+  Improvement_parameters improvement(std::size_t number_of_vertices, double edge_length) const
+  {
+    Improvement_parameters result{number_of_vertices, edge_length};
+    result.number_of_iterations = number_of_iterations;
+    result.use_defect_moves = use_defect_moves;
+    return result;
+  }
+};
+
+template <class NamedParameters>
+Options unpack_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return Options{choose_parameter(get_parameter(np, internal_np::use_segmentation), true),
+                 static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u)),
+                 choose_parameter(get_parameter(np, internal_np::use_defect_moves), true)};
+}
+
+template <class TriangleMesh, class NamedParameters>
+auto vertex_points_of(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type points =
+    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+  return points;
+}
+
+template <class TriangleMesh, class NamedParameters>
+auto vertex_indices_of(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type indices =
+    get_initialized_vertex_index_map(tmesh, np);
+  return indices;
+}
+
+template <class NamedParameters>
+decltype(auto) visitor_of(const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter_reference;
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
+    return Default_visitor();
+  else
+    return get_parameter_reference(np, internal_np::visitor);
+}
+
+template <class NamedParameters>
+Stage_results* stage_results_of(const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter_reference;
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::stage_results_t>::value)
+    return nullptr;
+  else
+    return &get_parameter_reference(np, internal_np::stage_results);
+}
+
+inline void check_count(const Mesh& mesh, std::size_t number_of_vertices)
+{
+  if(mesh.number_of_vertices() != number_of_vertices)
+    throw Remeshing_error("geodesic remeshing: could not reach " + std::to_string(number_of_vertices) + " vertices, only "
+                          + std::to_string(mesh.number_of_vertices())
+                          + ": the topology of the input needs more at its narrowest places");
+}
+
+template <class OutputMesh, class NamedParameters>
+void write_output(const Mesh& mesh, OutputMesh& out, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  clear(out);
+  copy_face_graph(mesh, out, CGAL::parameters::default_values(),
+                  CGAL::parameters::vertex_point_map(choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                                      get_property_map(vertex_point, out))));
+}
+
+// What the in-place form hands on as the parameters of its output
+template <class NamedParameters>
+auto points_only(const NamedParameters& np)
+{
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+    return CGAL::parameters::default_values();
+  else
+    return CGAL::parameters::vertex_point_map(CGAL::parameters::get_parameter(np, internal_np::vertex_point));
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_UNPACK_PARAMETERS_H

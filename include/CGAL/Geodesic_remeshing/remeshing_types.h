@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_REMESHING_TYPES_H
+#define CGAL_GEODESIC_REMESHING_REMESHING_TYPES_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * The target of a remeshing given as the length of its edges, in the unit of the coordinates. A type of its own, so that
+ * a length is not taken for a number of vertices.
+ */
+struct Edge_length
+{
+  double value; ///< positive and finite
+};
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * The target of a remeshing given as its number of faces. A closed triangle mesh has an even number of faces: an odd one is
+ * rounded down.
+ */
+struct Number_of_faces
+{
+  std::size_t value; ///< positive
+};
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * What was made, and in what time.
+ */
+struct Summary
+{
+  std::size_t number_of_vertices = 0; ///< of the output
+  std::size_t number_of_faces = 0;    ///< of the output
+  double edge_length = 0.;            ///< that an equilateral mesh of this area and this number of vertices would have
+  std::size_t number_of_regions = 0;  ///< of the region tree (paper, section 5)
+  std::size_t number_of_curves = 0;   ///< equidistant curves
+  std::size_t number_of_strips = 0;   ///< pieces that the curves divide the surface into
+  std::vector<std::pair<std::string, double>> seconds; ///< processor seconds of each stage, in their order
+};
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * Thrown when the input is fine but what was asked for cannot be made: fewer vertices than the topology needs, or
+ * the visitor stopped the work. The output is as it was before the call.
+ */
+class Remeshing_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * A visitor that watches nothing and stops nothing: to derive from.
+ * \cgalModels{GeodesicRemeshingVisitor}
+ */
+struct Default_visitor
+{
+  /// called when a stage begins: `"input"`, `"root"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`,
+  /// `"strips"`, `"improvement"`, `"output"`
+  void stage(const std::string& /* name */) {}
+  /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work
+  bool progress(double /* done */) { return true; }
+};
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * What the stages made on their way, for looking at. Filled when passed as `stage_results(std::ref(results))`.
+ */
+struct Stage_results
+{
+  using Point = Exact_predicates_inexact_constructions_kernel::Point_3; ///< a point
+  using Mesh = Surface_mesh<Point>;                                     ///< a mesh
+
+  /// the working surface with the distance from the root in its property map `"v:distance"`
+  Mesh working_surface;
+  /// the working surface cut along the boundaries of the regions, with their ids in its property map `"f:region"`
+  Mesh regions;
+  /// the equidistant curves, a closed one with its first point again at its end
+  std::vector<std::vector<Point>> curves;
+  /// the samples on the curves
+  std::vector<Point> samples;
+  /// the triangulated strips, before the improvement
+  Mesh strips;
+};
+
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_REMESHING_TYPES_H

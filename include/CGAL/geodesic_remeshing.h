@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_H
+#define CGAL_GEODESIC_REMESHING_H
+
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/Stage_clock.h>
+#include <CGAL/Geodesic_remeshing/internal/Target.h>
+#include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/stages.h>
+#include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
+#include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
+#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/named_parameters.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+
+#include <cmath>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgGeodesicRemeshingRef
+ *
+ * \brief remeshes a closed triangulated surface by geodesic distances on it: the output has the same topology, exactly the
+ * number of vertices asked for, and well-shaped triangles of even size; all its vertices lie on the input surface.
+ *
+ * The algorithm is that of Sifri, Sheffer and Gotsman \cgalCite{cgal:ssg-gbsr-03}: distances from a root vertex
+ * are computed by fast marching (section 3 of the paper), the surface is segmented into regions in which fronts advance without
+ * meeting (section 5), equidistant curves in the regions are sampled, and the strips between them are triangulated by the
+ * dual of geodesic Voronoi cells (section 6). Valences, angles and the number of vertices are then improved with the vertices
+ * walking on the input surface.
+ *
+ * The same input gives the same output, bit by bit.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ * @tparam Target an integral type, `Geodesic_remeshing::Number_of_faces` or `Geodesic_remeshing::Edge_length`
+ * @tparam OutputMesh a model of `MutableFaceGraph`
+ * @tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
+ * @tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param tmesh the input: a closed triangle mesh of any genus and any number of connected components. Degenerate faces,
+ *              duplicate points and isolated vertices are allowed; the latter are left out.
+ * @param target the number of vertices; or the number of faces, `Number_of_faces{n}`; or `Edge_length{l}`, which asks for the number
+ *               of vertices that equilateral triangles of that edge length would have
+ * @param out the output, cleared before it is filled
+ * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
+ *                           `num_vertices(tmesh) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{use_segmentation}
+ *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from the root alone}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the number of rounds of the improvement}
+ *     \cgalParamType{`unsigned int`}
+ *     \cgalParamDefault{`3`}
+ *     \cgalParamExtra{With 0 only the number of vertices is mended, so that the result shows the triangulated strips.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told the stages and the progress, and can stop the work; pass it by `std::ref()`}
+ *     \cgalParamType{a class model of `GeodesicRemeshingVisitor`}
+ *     \cgalParamDefault{`Geodesic_remeshing::Default_visitor`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{stage_results}
+ *     \cgalParamDescription{filled with what the stages made; pass it by `std::ref()`}
+ *     \cgalParamType{`Geodesic_remeshing::Stage_results`}
+ *     \cgalParamDefault{nothing is kept}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `out`}
+ *     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, out)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @return what was made, and in what time
+ *
+ * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a boundary or a coordinate that is not
+ *         finite, or if the target is not positive; the message says which vertex or face
+ * @throws Geodesic_remeshing::Remeshing_error if the topology of the input needs more vertices, or if the visitor stops the work
+ *
+ * In both cases `out` is left as it was.
+ *
+ * \cgalBigO{(n + m) log (n + m)} for an input of `n` and an output of `m` vertices.
+ *
+ * @sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
+ */
+template <class TriangleMesh, class Target, class OutputMesh,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<!Geodesic_remeshing::internal::is_named_parameters<OutputMesh>::value, int> = 0
+#endif
+          >
+Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const Target& target, OutputMesh& out,
+                                               const NamedParametersIn& np_in = parameters::default_values(),
+                                               const NamedParametersOut& np_out = parameters::default_values())
+{
+  using namespace Geodesic_remeshing::internal;
+  const auto options = unpack_options(np_in);
+  decltype(auto) visitor = visitor_of(np_in);
+  Geodesic_remeshing::Stage_results* const kept = stage_results_of(np_in);
+  Geodesic_remeshing::Summary summary;
+  Stage_clock<std::remove_reference_t<decltype(visitor)>> clock(visitor, summary);
+
+  clock.stage("input", 0.);
+  Input_surface<TriangleMesh> input;
+  copy_input(tmesh, vertex_points_of(tmesh, np_in), vertex_indices_of(tmesh, np_in), input);
+  const Mesh& surface = input.mesh;
+  const std::size_t n = number_of_vertices_for(target, surface);
+  const double edge_length = edge_length_for(area(surface), n);
+  const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
+
+  clock.stage("root", .05);
+  const std::vector<Vertex> roots = find_roots(surface);
+  check_number_of_vertices(n, fewest_vertices(surface, roots));
+
+  clock.stage("refinement", .1);
+  Working_surface working;
+  make_working_surface(surface, 1.5 * edge_length, working);
+
+  clock.stage("distances", .15);
+  const Intrinsic_triangulation triangulation(working.mesh);
+  Fast_marching marching(triangulation);
+  const std::vector<double> distance = distances_from(roots, working.mesh, marching);
+  keep_working_surface(working.mesh, distance, kept);
+
+  clock.stage("regions", .2);
+  const Segmentation segmentation =
+    segment(working.mesh, marching, distance, roots, curve_distance, options.use_segmentation);
+  keep_regions(working.mesh, segmentation, kept);
+
+  clock.stage("curves", .3);
+  const Level_curves curves = Curve_tracer(working.mesh, segmentation).trace();
+  keep_curves(working.mesh, curves, kept);
+
+  clock.stage("samples", .35);
+  const std::vector<Sample> samples =
+    sample_surface(surface, working, segmentation, curves, roots, edge_length, n);
+  keep_samples(samples, kept);
+
+  clock.stage("strips", .45);
+  summary.number_of_strips = find_strips(working.mesh, curves).second;
+  Placed_mesh remeshed;
+  triangulate_strips(surface, working, samples, edge_length, remeshed);
+  keep_strips(remeshed.mesh, kept);
+
+  clock.stage("improvement", .55);
+  bool goes_on = true;
+  improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, options.improvement(n, edge_length),
+          [&](double done) { return goes_on = goes_on && clock.go_on(.55 + .4 * done); });
+  if(!goes_on)
+    clock.give_up();
+  check_count(remeshed.mesh, n);
+
+  clock.stage("output", .95);
+  write_output(remeshed.mesh, out, np_out);
+  clock.stop();
+  summary.number_of_vertices = remeshed.mesh.number_of_vertices();
+  summary.number_of_faces = remeshed.mesh.number_of_faces();
+  summary.edge_length = edge_length;
+  summary.number_of_regions = segmentation.regions.size();
+  summary.number_of_curves = curves.curves.size();
+  clock.go_on(1.);
+  return summary;
+}
+
+/*!
+ * \ingroup PkgGeodesicRemeshingRef
+ *
+ * \brief remeshes a closed triangulated surface in place.
+ *
+ * As the other overload, with `tmesh` replaced by the result at the very end. Property maps of `tmesh` other than the points
+ * are not carried over.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
+ */
+template <class TriangleMesh, class Target, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<Geodesic_remeshing::internal::is_named_parameters<NamedParameters>::value, int> = 0
+#endif
+          >
+Geodesic_remeshing::Summary geodesic_remeshing(TriangleMesh& tmesh, const Target& target,
+                                               const NamedParameters& np = parameters::default_values())
+{
+  return geodesic_remeshing(tmesh, target, tmesh, np, Geodesic_remeshing::internal::points_only(np));
+}
+
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_H
