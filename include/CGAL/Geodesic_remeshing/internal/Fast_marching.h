@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FAST_MARCHING_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_FAST_MARCHING_H
 
+#include <CGAL/Geodesic_remeshing/internal/Front.h>
 #include <CGAL/Geodesic_remeshing/internal/Intrinsic_triangulation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
@@ -23,8 +24,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-enum class Front_shape { circular, planar };
 
 // Distances that a front brings from the sources to the vertices, in the order of their arrival (section 3 of the
 // paper, after Kimmel and Sethian). Where a face is crossed against that order - obtuse angles, of which the intrinsic
@@ -44,7 +43,8 @@ public:
   void add_source(Vertex v, double distance = 0.)
   {
     CGAL_precondition(static_cast<std::size_t>(v.idx()) < m_state.size());
-    lower(static_cast<Index>(v.idx()), distance);
+    m_least_source = (std::min)(m_least_source, distance);
+    lower(static_cast<Index>(v.idx()), distance, infinity);
   }
 
   // Marches until the queue is empty. `domain(v)`: may the front enter `v`? `settle(v, distance)` is called in
@@ -83,13 +83,15 @@ public:
       m_state[v.idx()] = State();
     m_reached.clear();
     m_queue.clear();
+    m_least_source = infinity;
   }
 
 private:
   struct State
   {
     double distance = infinity;
-    bool is_settled = false; // left the queue with this distance
+    double direction = infinity; // of the way back, counterclockwise from the first spoke; infinite if unknown
+    bool is_settled = false;     // left the queue with this distance
   };
 
   struct Entry
@@ -104,7 +106,7 @@ private:
     }
   };
 
-  void lower(Index v, double distance)
+  void lower(Index v, double distance, double direction)
   {
     State& state = m_state[v];
     if(!(distance < state.distance))
@@ -112,6 +114,7 @@ private:
     if(!(state.distance < infinity))
       m_reached.push_back(Vertex(v));
     state.distance = distance;
+    state.direction = direction;
     state.is_settled = false;
     m_queue.push_back(Entry{distance, v});
     std::push_heap(m_queue.begin(), m_queue.end());
@@ -123,18 +126,24 @@ private:
   template <Front_shape shape, typename Domain>
   void spread_from(Index v, const Domain& domain, double maximum_distance);
 
+  template <Front_shape shape>
+  Arrival across_face(Index v, const Spoke& base, const Spoke& side, double rim, double orientation) const;
+
+  bool is_worth(double distance, const Spoke& spoke) const;
+  void arrive(const Arrival& arrival, const Spoke& spoke);
+
   static bool is_obtuse(double side_a, double side_b, double base)
   {
     return side_a * side_a + side_b * side_b < base * base;
   }
 
-  template <Front_shape shape>
-  static double across(double from_a, double from_b, double base, double side_a, double side_b);
+  static double signed_angle(double angle, double full_angle);
 
   const Intrinsic_triangulation* m_triangulation;
   std::vector<State> m_state;
   std::vector<Vertex> m_reached;
-  std::vector<Entry> m_queue; // a binary heap; entries whose distance is no longer that of the vertex are dropped when met
+  std::vector<Entry> m_queue; // a binary heap; an entry whose distance is no longer that of the vertex is dropped
+  double m_least_source = infinity;
 };
 
 template <Front_shape shape, typename Domain, typename Settle>
@@ -157,60 +166,86 @@ void Fast_marching::march_shape(const Domain& domain, Settle& settle, double max
 }
 
 // Brings the front from v, which has just been settled, to its neighbors: along the spokes, and across the faces that
-// have another settled vertex.
+// have another settled vertex. What was settled earlier than v can gain only where its angle in the face is obtuse.
 template <Front_shape shape, typename Domain>
 void Fast_marching::spread_from(Index v, const Domain& domain, double maximum_distance)
 {
-  const double here = m_state[v].distance;
-  double beyond_previous_face = infinity;
+  const State here = m_state[v];
+  const double full_angle = m_triangulation->full_angle(v);
   const Spoke* const end = m_triangulation->end(v);
+  Arrival across_previous_face;
   for(const Spoke* spoke = m_triangulation->begin(v); spoke != end; ++spoke)
   {
     const State& b = m_state[spoke->neighbor];
-    double best = (std::min)(here + spoke->length, beyond_previous_face);
-    beyond_previous_face = infinity;
+    Arrival best = across_previous_face;
+    across_previous_face = Arrival();
     if(spoke->rim >= 0.)
     {
-      const State& c = m_state[spoke[1].neighbor];
-      if(c.is_settled && (b.distance > here || is_obtuse(spoke->length, spoke->rim, spoke[1].length)))
-        best = (std::min)(best, across<shape>(here, c.distance, spoke[1].length, spoke->length, spoke->rim));
-      if(b.is_settled && (c.distance > here || is_obtuse(spoke[1].length, spoke->rim, spoke->length)))
-        beyond_previous_face = across<shape>(here, b.distance, spoke->length, spoke[1].length, spoke->rim);
+      const Spoke* const next = spoke + 1;
+      const State& c = m_state[next->neighbor];
+      if(c.is_settled && (here.distance < b.distance || is_obtuse(spoke->length, spoke->rim, next->length)))
+      {
+        const Arrival across_next_face = across_face<shape>(v, *next, *spoke, spoke->rim, -1.);
+        if(across_next_face.distance < best.distance)
+          best = across_next_face;
+      }
+      if(b.is_settled && (here.distance < c.distance || is_obtuse(next->length, spoke->rim, spoke->length)))
+        across_previous_face = across_face<shape>(v, *spoke, *next, spoke->rim, 1.);
     }
-    if(best < b.distance && best <= maximum_distance && domain(Vertex(spoke->neighbor)))
-      lower(spoke->neighbor, best);
+    const double along = here.distance + spoke->length;
+    if(along < best.distance && along < b.distance)
+    {
+      const double angle = signed_angle(spoke->angle - here.direction, full_angle);
+      best = arrive_along<shape>({here.distance, angle}, spoke->length);
+    }
+    if(best.distance <= maximum_distance && is_worth(best.distance, *spoke) && domain(Vertex(spoke->neighbor)))
+      arrive(best, *spoke);
   }
 }
 
-// The value at the apex of a triangle of which the base' ends a and b have theirs, if the front comes in through the
-// base; else infinity. A circular front comes from a point (the virtual source) that is found from its distances to a
-// and b, a planar one from infinity.
+// Across the face between two spokes of v, both ends of `base` being settled, to the end of `side`. The orientation is
+// 1 if that lies to the left of the base, -1 to the right.
 template <Front_shape shape>
-double Fast_marching::across(double from_a, double from_b, double base, double side_a, double side_b)
+Arrival Fast_marching::across_face(Index v, const Spoke& base, const Spoke& side, double rim, double orientation) const
 {
-  if(!(base > 0.))
+  const State& a = m_state[v];
+  const State& b = m_state[base.neighbor];
+  const double angle_a = signed_angle(orientation * (base.angle - a.direction), m_triangulation->full_angle(v));
+  const double angle_b = signed_angle(orientation * (b.direction - m_triangulation->reverse(base).angle),
+                                      m_triangulation->full_angle(base.neighbor));
+  Arrival arrival = arrive_across<shape>({a.distance, angle_a}, {b.distance, angle_b}, base.length, side.length, rim);
+  arrival.turn *= orientation;
+  return arrival;
+}
+
+// A distance that has served already drops only by more than this part of an edge. Hardly measurable, it makes
+// certain that the dropping ends, even if fronts were to lower each other in turn.
+inline bool Fast_marching::is_worth(double distance, const Spoke& spoke) const
+{
+  const State& state = m_state[spoke.neighbor];
+  const double least_drop = state.is_settled ? 1e-6 * spoke.length + 1e-12 * std::abs(state.distance) : 0.;
+  return distance < state.distance - least_drop && distance >= m_least_source;
+}
+
+inline void Fast_marching::arrive(const Arrival& arrival, const Spoke& spoke)
+{
+  double direction = m_triangulation->reverse(spoke).angle + arrival.turn;
+  const double full_angle = m_triangulation->full_angle(spoke.neighbor);
+  if(direction < infinity && full_angle < infinity)
+    direction += direction < 0. ? full_angle : direction >= full_angle ? -full_angle : 0.;
+  lower(spoke.neighbor, arrival.distance, direction);
+}
+
+// An angle at a vertex is positive or negative by the side that is nearer. Both sides being more than half a turn
+// (there are more than two half turns around a saddle vertex), the way turns at the vertex itself: that is half a turn.
+inline double Fast_marching::signed_angle(double angle, double full_angle)
+{
+  if(!(std::abs(angle) < infinity))
     return infinity;
-  // a lies at the origin, b on the x-axis, the apex above it, the virtual source below it
-  const double x = ((side_a - side_b) * (side_a + side_b) + base * base) / (2. * base);
-  const double y = std::sqrt((std::max)(0., (side_a - x) * (side_a + x)));
-  if(shape == Front_shape::planar)
-  {
-    const double slope_x = (from_b - from_a) / base;
-    if(!(std::abs(slope_x) <= 1.))
-      return infinity;
-    const double slope_y = std::sqrt((1. - slope_x) * (1. + slope_x));
-    const double crossing = x * slope_y - y * slope_x;
-    return 0. <= crossing && crossing <= base * slope_y ? from_a + slope_x * x + slope_y * y : infinity;
-  }
-  const double source_x = ((from_a - from_b) * (from_a + from_b) + base * base) / (2. * base);
-  const double square = (from_a - source_x) * (from_a + source_x);
-  if(!(square >= 0.))
-    return infinity;
-  const double depth = std::sqrt(square);
-  const double crossing = source_x * y + x * depth;
-  if(!(0. <= crossing && crossing <= base * (y + depth)))
-    return infinity;
-  return std::sqrt((x - source_x) * (x - source_x) + (y + depth) * (y + depth));
+  const double other_side = angle < 0. ? angle + full_angle : angle - full_angle;
+  const double left = (std::max)(angle, other_side);
+  const double right = (std::min)(angle, other_side);
+  return left <= CGAL_PI ? left : right > -CGAL_PI ? right : CGAL_PI;
 }
 
 } // namespace internal

@@ -66,6 +66,12 @@ public:
   // Flips to the intrinsic Delaunay triangulation of the same piecewise flat surface.
   void make_Delaunay();
 
+  // Zero where the face is a point or so thin that the angle is lost.
+  double angle_opposite_to(Index h) const
+  {
+    return std::atan2(sine_of_opposite_angle(h), opposite_angle(h).cosine);
+  }
+
 private:
   // Of the angle opposite to a halfedge in its face: the cosine times the product of the angle's sides, and that
   // product.

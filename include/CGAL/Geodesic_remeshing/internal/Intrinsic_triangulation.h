@@ -38,14 +38,16 @@ public:
   struct Spoke
   {
     double length;
-    double rim; // length of the side from this neighbor to that of the next spoke; negative if there is no face between them
+    double rim;      // length of the side from this neighbor to that of the next spoke; negative: no face between them
+    double angle;    // from the first spoke of the vertex, counterclockwise
     Index neighbor;
+    Index reverse;   // the spoke of the neighbor that is the same edge
   };
 
   // The surface as it lies in space.
   explicit Intrinsic_triangulation(const Mesh& mesh)
     : Intrinsic_triangulation(mesh, [&mesh](Halfedge h)
-                              { return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))); })
+      { return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))); })
   {}
 
   // The surface in a metric of its own: a length for every edge, by index.
@@ -66,12 +68,16 @@ public:
     collect_spokes(faces);
   }
 
-  std::size_t number_of_vertices() const { return m_first.size() - 1; }
+  std::size_t number_of_vertices() const { return m_rings.size() - 1; }
 
   // The spokes counterclockwise. Where faces close around the vertex, the first spoke stands at the end again; where
   // they do not (boundary, several fans at one vertex), a negative rim separates.
-  const Spoke* begin(Index v) const { return m_spokes.data() + m_first[v]; }
-  const Spoke* end(Index v) const { return m_spokes.data() + m_first[v + 1]; }
+  const Spoke* begin(Index v) const { return m_spokes.data() + m_rings[v].first; }
+  const Spoke* end(Index v) const { return m_spokes.data() + m_rings[v + 1].first; }
+  const Spoke& reverse(const Spoke& spoke) const { return m_spokes[spoke.reverse]; }
+
+  // The sum of the angles at the vertex, infinite on the boundary, where turning on does not lead back.
+  double full_angle(Index v) const { return m_rings[v].full_angle; }
 
 private:
   template <typename Length_of_halfedge>
@@ -91,10 +97,24 @@ private:
   template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
   static void copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
                          const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& faces);
-  void collect_spokes(const Intrinsic_faces& faces);
-  void collect_fan(const Intrinsic_faces& faces, Index start);
+  struct Ring
+  {
+    double full_angle;
+    Index first;
+  };
 
-  std::vector<std::size_t> m_first; // of the spokes of a vertex, and one more
+  struct Open_end // the last spoke of a fan that does not close, and the halfedge that leads along it to the vertex
+  {
+    Index spoke;
+    Index halfedge;
+  };
+
+  void collect_spokes(const Intrinsic_faces& faces);
+  void collect_fan(const Intrinsic_faces& faces, Index start, std::vector<Index>& spoke_of,
+                   std::vector<Open_end>& ends);
+  void link_spokes(const Intrinsic_faces& faces, const std::vector<Index>& spoke_of, const std::vector<Open_end>& ends);
+
+  std::vector<Ring> m_rings; // one more than there are vertices
   std::vector<Spoke> m_spokes;
 };
 
@@ -148,33 +168,66 @@ inline void Intrinsic_triangulation::collect_spokes(const Intrinsic_faces& faces
   }
   std::sort(more_starts.begin(), more_starts.end());
 
-  m_first.reserve(start.size() + 1);
+  std::vector<Index> spoke_of(number_of_halfedges); // the spoke that a halfedge became
+  std::vector<Open_end> ends;
+  m_rings.reserve(start.size() + 1);
   m_spokes.reserve(number_of_halfedges + start.size() + more_starts.size());
   auto more = more_starts.begin();
   for(Index v = 0; v < start.size(); ++v)
   {
-    m_first.push_back(m_spokes.size());
+    m_rings.push_back(Ring{infinity, static_cast<Index>(m_spokes.size())});
     if(start[v] != none)
-      collect_fan(faces, start[v]);
+      collect_fan(faces, start[v], spoke_of, ends);
     for(; more != more_starts.end() && more->first == v; ++more)
-      collect_fan(faces, more->second);
+      collect_fan(faces, more->second, spoke_of, ends);
   }
-  m_first.push_back(m_spokes.size());
+  m_rings.push_back(Ring{infinity, static_cast<Index>(m_spokes.size())});
+  link_spokes(faces, spoke_of, ends);
 }
 
-inline void Intrinsic_triangulation::collect_fan(const Intrinsic_faces& faces, Index start)
+inline void Intrinsic_triangulation::collect_fan(const Intrinsic_faces& faces, Index start,
+                                                 std::vector<Index>& spoke_of, std::vector<Open_end>& ends)
 {
-  const auto add = [&](Index h, double rim, Index neighbor) { m_spokes.push_back(Spoke{faces.length(h), rim, neighbor}); };
+  // what comes from one fan into another comes through the vertex: half a turn or more
+  double angle = m_spokes.size() > m_rings.back().first ? m_spokes.back().angle + CGAL_PI : 0.;
+  // until the spokes are linked, `reverse` holds the halfedge
+  const auto add = [&](double length, double rim, Index neighbor, Index halfedge)
+  { m_spokes.push_back(Spoke{length, rim, angle, neighbor, halfedge}); };
+
   for(Index h = start;;)
   {
-    const Index target = Intrinsic_faces::next(h);
+    const Index rim = Intrinsic_faces::next(h);
     const Index left = Intrinsic_faces::previous(h);
-    add(h, faces.length(target), faces.source(target));
+    spoke_of[h] = static_cast<Index>(m_spokes.size());
+    add(faces.length(h), faces.length(rim), faces.source(rim), h);
+    angle += faces.angle_opposite_to(rim);
     h = faces.opposite(left);
     if(h == Intrinsic_faces::none)
-      return add(left, -1., faces.source(left));
+    {
+      ends.push_back(Open_end{static_cast<Index>(m_spokes.size()), left});
+      return add(faces.length(left), -1., faces.source(left), left);
+    }
     if(h == start)
-      return add(start, -1., faces.source(Intrinsic_faces::next(start)));
+    {
+      m_rings.back().full_angle = angle;
+      return add(faces.length(start), -1., faces.source(Intrinsic_faces::next(start)), start);
+    }
+  }
+}
+
+inline void Intrinsic_triangulation::link_spokes(const Intrinsic_faces& faces, const std::vector<Index>& spoke_of,
+                                                 const std::vector<Open_end>& ends)
+{
+  for(Spoke& spoke : m_spokes)
+  {
+    const Index o = faces.opposite(spoke.reverse);
+    if(o != Intrinsic_faces::none)
+      spoke.reverse = spoke_of[o];
+  }
+  for(const Open_end& end : ends)
+  {
+    m_spokes[end.spoke].reverse = spoke_of[end.halfedge];
+    m_spokes[spoke_of[end.halfedge]].reverse = end.spoke;
   }
 }
 
