@@ -39,6 +39,8 @@ public:
     : m_triangulation(&triangulation), m_state(triangulation.number_of_vertices())
   {}
 
+  const Intrinsic_triangulation& triangulation() const { return *m_triangulation; }
+
   // The front starts at `v` with this value, which may be any number.
   void add_source(Vertex v, double distance = 0.)
   {

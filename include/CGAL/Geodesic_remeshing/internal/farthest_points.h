@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FARTHEST_POINTS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_FARTHEST_POINTS_H
+
+#include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Two vertices of one connected component, about as far apart as two can be.
+struct Farthest_pair
+{
+  Vertex root;
+  Vertex farthest; // from the root
+  double distance;
+  std::size_t number_of_runs; // when the distance stopped growing
+};
+
+// The component of each vertex, counted in the order of their first vertices; vertices without faces belong to none.
+struct Components
+{
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  explicit Components(const Intrinsic_triangulation& triangulation) : component_of(triangulation.number_of_vertices(), none)
+  {
+    using Index = Intrinsic_triangulation::Index;
+    std::vector<Index> stack;
+    for(Index v = 0; v < component_of.size(); ++v)
+    {
+      if(component_of[v] != none || triangulation.begin(v) == triangulation.end(v))
+        continue;
+      component_of[v] = first_vertex.size();
+      for(stack.assign(1, v); !stack.empty();)
+      {
+        const Index u = stack.back();
+        stack.pop_back();
+        for(auto spoke = triangulation.begin(u); spoke != triangulation.end(u); ++spoke)
+          if(component_of[spoke->neighbor] == none)
+          {
+            component_of[spoke->neighbor] = first_vertex.size();
+            stack.push_back(spoke->neighbor);
+          }
+      }
+      first_vertex.push_back(Vertex(v));
+    }
+  }
+
+  std::vector<std::size_t> component_of;
+  std::vector<Vertex> first_vertex;
+};
+
+// Marches from all roots at once, and finds what is farthest from each; the lower index decides between equals.
+inline void find_farthest(Fast_marching& marching, const Components& components, std::vector<Farthest_pair>& pairs)
+{
+  marching.clear();
+  for(Farthest_pair& pair : pairs)
+  {
+    marching.add_source(pair.root);
+    pair.farthest = pair.root;
+    pair.distance = 0.;
+  }
+  marching.march(Front_shape::circular);
+  for(const Vertex v : marching.reached())
+  {
+    Farthest_pair& pair = pairs[components.component_of[v]];
+    const double distance = marching.distance(v);
+    if(distance < pair.distance || (!(distance > pair.distance) && pair.farthest < v))
+      continue;
+    pair.farthest = v;
+    pair.distance = distance;
+  }
+}
+
+// Section 4 of the paper: go to the farthest vertex, again and again, until it does not get farther. Leaves the distances
+// from the roots in `marching`.
+inline std::vector<Farthest_pair> farthest_pairs(Fast_marching& marching)
+{
+  // two to four runs are the rule; what later ones could still gain is less than the distances are sure of
+  constexpr std::size_t most_runs = 6;
+  constexpr double least_gain = 1e-4;
+
+  const Components components(marching.triangulation());
+  std::vector<Farthest_pair> pairs;
+  for(const Vertex v : components.first_vertex)
+    pairs.push_back(Farthest_pair{v, v, 0., 0});
+  std::vector<double> diameter(pairs.size(), 0.);
+  std::vector<char> is_growing(pairs.size(), true);
+  for(std::size_t run = 1;; ++run)
+  {
+    find_farthest(marching, components, pairs);
+    bool is_finished = true;
+    for(std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      if(!is_growing[i])
+        continue;
+      pairs[i].number_of_runs = run;
+      is_growing[i] = run < most_runs && pairs[i].distance > diameter[i] * (1. + least_gain);
+      if(!is_growing[i])
+        continue;
+      diameter[i] = pairs[i].distance;
+      pairs[i].root = pairs[i].farthest;
+      is_finished = false;
+    }
+    if(is_finished)
+      return pairs;
+  }
+}
+
+// For every connected component one end of its diameter, in the order of the components' first vertices.
+inline std::vector<Vertex> farthest_roots(const Mesh&, Fast_marching& marching)
+{
+  std::vector<Vertex> roots;
+  for(const Farthest_pair& pair : farthest_pairs(marching))
+    roots.push_back(pair.root);
+  return roots;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_FARTHEST_POINTS_H
