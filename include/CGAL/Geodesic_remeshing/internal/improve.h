@@ -12,10 +12,12 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/internal/vertex_count.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -30,6 +32,44 @@ struct Improvement_parameters
   bool use_defect_moves = true;
 };
 
+// Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what it
+// does, the number of vertices is set.
+template <class Progress>
+bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
+{
+  for(std::size_t i = 0; i < parameters.number_of_iterations; ++i) {
+    flip_to_regular_valences(remeshed);
+    relax(remeshed);
+    if(i == 0)
+      Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
+    if(!go_on(static_cast<double>(i + 1) / parameters.number_of_iterations))
+      return false;
+  }
+  return true;
+}
+
+// Sweeps of defect moves until they gain nothing. The short ways come first: a pair that glides far leaves the mesh
+// sheared along its way, so the steps between the sweeps are what the angles live on.
+template <class Progress>
+bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
+{
+  constexpr std::size_t sweeps = 6, first_depth = 4, last_depth = 12;
+  Defect_moves moves(remeshed);
+  for(std::size_t i = 0; i < sweeps; ++i) {
+    const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
+    const int gain = moves.sweep(depth);
+    for(int round = 0; round < 2; ++round) {
+      flip_to_regular_valences(remeshed);
+      relax(remeshed);
+    }
+    if(!go_on(static_cast<double>(i + 1) / sweeps))
+      return false;
+    if(gain == 0 && depth == last_depth)
+      break;
+  }
+  return true;
+}
+
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
 // vertices the one asked for. The pinned vertices stay where they are, the topology stays what it is, every vertex stays on
 // the surface. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
@@ -40,15 +80,10 @@ void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> p
 {
   const Surface_walker walker(surface);
   Remeshed_surface remeshed(walker, out, place, pinned);
-  const std::size_t n = parameters.number_of_iterations;
-  for(std::size_t i = 0; i < n && go_on(static_cast<double>(i) / n); ++i) {
-    flip_to_regular_valences(remeshed);
-    relax(remeshed);
-    // After the first round, when the energies mean something, and before the others, which mend what it does.
-    if(i == 0)
-      Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
-  }
-  go_on(1.);
+  const double share = parameters.use_defect_moves ? .3 : 1.;
+  if(make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }) &&
+     parameters.use_defect_moves)
+    remove_defects(remeshed, [&](const double progress) { return go_on(share + (1. - share) * progress); });
   remeshed.write_back(out, place, pinned);
 }
 

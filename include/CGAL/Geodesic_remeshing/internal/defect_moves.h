@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_DEFECT_MOVES_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_DEFECT_MOVES_H
+
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/relaxation.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Removes irregular vertices. Most of them are pairs of a vertex of valence 5 and one of valence 7, the dislocations of a
+// triangular lattice: flips that leave the energy as it is let such a pair glide, and where it meets its opposite both
+// vanish. So from each irregular vertex sequences of flips that never raise the energy are searched, depth first and the
+// lowest energy first, until one lowers it. A lone pair has two such flips, one of which takes back the last one:
+// the search is nearly linear in its depth. What is found is kept if the vertices around can be relaxed to good triangles.
+class Defect_moves
+{
+public:
+  using Index = Lean_triangulation::Index;
+
+  explicit Defect_moves(Remeshed_surface& remeshed)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), stamp_(table_.vertex_slots(), 0) {}
+
+  // One search from each irregular vertex; returns by how much the energy has fallen.
+  int sweep(std::size_t depth);
+
+private:
+  struct Candidate
+  {
+    int energy; Index h;
+    bool operator<(const Candidate& c) const { return energy < c.energy || (energy == c.energy && h < c.h); }
+  };
+  // The most flips looked at in one node of the search: more than four vertices of valence 7 offer.
+  struct Candidates { std::array<Candidate, 32> list; std::size_t size = 0; };
+  using Corners = std::array<Index, 4>;
+
+  bool search(const Corners& around, std::size_t depth, int energy, Index made);
+  void collect(Index v, int most, Index made, Candidates& candidates) const;
+  void add(Index h, int most, Index made, Candidates& candidates) const;
+  bool settle();
+  void gather_zone();
+
+  Remeshed_surface& remeshed_;
+  Lean_triangulation& table_;
+  std::vector<Corners> path_;           // the vertices of each flip made
+  std::vector<Index> zone_;             // what is relaxed: first the vertices of the flips, then their neighbours
+  std::size_t core_ = 0;                // number of the former
+  std::vector<std::size_t> stamp_;
+  std::size_t time_ = 0;
+  std::size_t nodes_left_ = 0, settlements_left_ = 0;
+  int found_ = 0;
+};
+
+inline int Defect_moves::sweep(const std::size_t depth)
+{
+  int total = 0;
+  for(Index v = 0; v < table_.vertex_slots(); ++v) {
+    if(table_.is_removed(v) || remeshed_.excess(v) == 0)
+      continue;
+    // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
+    nodes_left_ = 40 * depth;
+    settlements_left_ = 4;
+    path_.clear();
+    remeshed_.record();
+    if(search({{v, v, v, v}}, depth, 0, Lean_triangulation::none))
+      total -= found_;
+    remeshed_.forget();
+  }
+  return total;
+}
+
+inline void Defect_moves::add(const Index h, const int most, const Index made, Candidates& candidates) const
+{
+  const Index o = table_.opposite(h);
+  if(o == Lean_triangulation::none || candidates.size == candidates.list.size())
+    return;
+  const Index one = (std::min)(h, o);
+  const int energy = remeshed_.energy_of_flip(one);
+  if(energy > most || one == made)
+    return;
+  for(std::size_t i = 0; i < candidates.size; ++i)
+    if(candidates.list[i].h == one)
+      return;
+  candidates.list[candidates.size++] = {energy, one};
+}
+
+// A flip takes a neighbour from two vertices and gives one to two others: of use are the edges of a vertex that has too
+// many, and those opposite a vertex that has too few.
+inline void Defect_moves::collect(const Index v, const int most, const Index made, Candidates& candidates) const
+{
+  const int excess = remeshed_.excess(v);
+  if(excess == 0)
+    return;
+  table_.for_each_outgoing(v, [&](const Index h) {
+    add(excess > 0 ? h : Lean_triangulation::next(h), most, made, candidates);
+  });
+}
+
+inline bool Defect_moves::search(const Corners& around, const std::size_t depth, const int energy, const Index made)
+{
+  Candidates candidates;
+  for(const Index v : around)
+    collect(v, -energy, made, candidates);
+  std::sort(candidates.list.begin(), candidates.list.begin() + candidates.size);
+  for(std::size_t i = 0; i < candidates.size && nodes_left_ > 0; ++i) {
+    const Index h = candidates.list[i].h, o = table_.opposite(h);
+    const int reached = energy + candidates.list[i].energy;
+    if(!table_.is_flip_legal(h))
+      continue;
+    --nodes_left_;
+    const auto start = remeshed_.mark();
+    path_.push_back({{table_.source(h), table_.target(h), table_.apex(h), table_.apex(o)}});
+    const Index e = table_.flip(h);
+    found_ = reached;
+    if(reached < 0 ? settle() : depth > 1 && search(path_.back(), depth - 1, reached, (std::min)(e, table_.opposite(e))))
+      return true;
+    remeshed_.undo_to(start);
+    path_.pop_back();
+  }
+  return false;
+}
+
+inline void Defect_moves::gather_zone()
+{
+  ++time_;
+  zone_.clear();
+  const auto enter = [&](const Index v) {
+    if(stamp_[v] != time_) {
+      stamp_[v] = time_;
+      zone_.push_back(v);
+    }
+  };
+  for(const Corners& corners : path_)
+    for(const Index v : corners)
+      enter(v);
+  core_ = zone_.size();
+  for(std::size_t i = 0; i < core_; ++i)
+    table_.for_each_neighbor(zone_[i], enter);
+}
+
+// Relaxes the vertices of the flips freely (faces may be turned at first) and then these and their neighbours with
+// care. Angles of 30 degrees are good enough, since the rounds to come better them.
+inline bool Defect_moves::settle()
+{
+  static const double good = badness_of_angle(30.);
+  if(settlements_left_ == 0)
+    return false;
+  --settlements_left_;
+  gather_zone();
+  for(std::size_t i = 0; i < core_; ++i)
+    if(!remeshed_.is_fixed(zone_[i]))
+      remeshed_.put(zone_[i], remeshed_.spot_after(zone_[i], remeshed_.way_to_center_of_neighbors(zone_[i])));
+  for(int round = 0; round < 3; ++round)
+    for(const Index v : zone_)
+      if(!remeshed_.is_fixed(v))
+        relax_vertex(remeshed_, v);
+  for(const Index v : zone_)
+    if(remeshed_.ring_badness(v) > good)
+      return false;
+  return true;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_DEFECT_MOVES_H
