@@ -112,7 +112,8 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Me
   spots_.reserve(mesh.number_of_vertices());
   pinned_.reserve(mesh.number_of_vertices());
   for(const Vertex v : mesh.vertices()) {
-    spots_.push_back({walker.point(place[v]), place[v], walker.normal(place[v].face)});
+    // A pinned vertex is a tip, where the normal of one face says nothing.
+    spots_.push_back({walker.point(place[v]), place[v], pinned[v] ? Vector(0., 0., 0.) : walker.normal(place[v].face)});
     pinned_.push_back(pinned[v]);
   }
 }
@@ -149,7 +150,8 @@ inline double Remeshed_surface::badness(const Index u, const Index v, const Inde
   const Spot &s = spots_[u], &t = spots_[v], &r = spots_[w];
   const Vector a = t.point - s.point, b = r.point - s.point, c = r.point - t.point;
   const Vector normal = cross_product(a, b);
-  if(normal * s.normal < 0. || normal * t.normal < 0. || normal * r.normal < 0.)
+  // Against the mean normal: at a crease a single one may point anywhere.
+  if(normal * (s.normal + t.normal + r.normal) < 0.)
     return turned_badness;
   // The smallest angle is opposite the shortest edge; the scalar product there is (sum of squares)/2 - shortest square.
   const double x = a.squared_length(), y = b.squared_length(), z = c.squared_length();

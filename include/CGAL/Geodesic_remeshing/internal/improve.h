@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/defect_moves.h>
+#include <CGAL/Geodesic_remeshing/internal/polish.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/internal/vertex_count.h>
@@ -70,6 +71,18 @@ bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
   return true;
 }
 
+// Takes out what flips and steps cannot mend, and puts as many vertices in elsewhere; last, only moves and flips.
+inline void mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
+{
+  for(int round = 0; round < 3; ++round) {
+    if(Polish(remeshed).run(badness_of_angle(30.), true) == 0)
+      break;
+    Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
+    flip_to_regular_valences(remeshed);
+    relax(remeshed);
+  }
+}
+
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
 // vertices the one asked for. The pinned vertices stay where they are, the topology stays what it is, every vertex stays on
 // the surface. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
@@ -81,9 +94,11 @@ void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> p
   const Surface_walker walker(surface);
   Remeshed_surface remeshed(walker, out, place, pinned);
   const double share = parameters.use_defect_moves ? .3 : 1.;
-  if(make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }) &&
-     parameters.use_defect_moves)
+  const bool go = make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); });
+  mend_angles(remeshed, parameters);
+  if(go && parameters.use_defect_moves)
     remove_defects(remeshed, [&](const double progress) { return go_on(share + (1. - share) * progress); });
+  for(int round = 0; round < 3 && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
   remeshed.write_back(out, place, pinned);
 }
 

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
+
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Betters the worst triangles, one by one: by moving their vertices to wherever the smallest angle around is largest, and
+// where that is not enough by flips, and by collapses (of which the number of vertices tells; others are put in
+// elsewhere). Whatever makes the worst triangle around better is kept, whatever the valences; everything else taken back.
+class Polish
+{
+public:
+  using Index = Lean_triangulation::Index;
+
+  explicit Polish(Remeshed_surface& remeshed) : remeshed_(remeshed), table_(remeshed.connectivity()) {}
+
+  // Treats every triangle worse than the given badness once, the worst first. Returns the number of them.
+  std::size_t run(double badness, bool do_collapse);
+
+private:
+  bool better_vertex(Index v);
+  bool better_by_flip(Index h);
+  bool better_by_collapse(Index h);
+  double badness_around(const std::array<Index, 4>& vertices) const;
+  bool keep_if_better(const std::array<Index, 4>& vertices, double before);
+  double face_badness(Index f) const;
+
+  Remeshed_surface& remeshed_;
+  Lean_triangulation& table_;
+};
+
+inline double Polish::face_badness(const Index f) const
+{
+  return remeshed_.badness(table_.source(4 * f), table_.source(4 * f + 1), table_.source(4 * f + 2));
+}
+
+inline std::size_t Polish::run(const double badness, const bool do_collapse)
+{
+  struct Bad { double badness; Index f; };
+  std::vector<Bad> bad;
+  for(Index f = 0; f < table_.face_slots(); ++f)
+    if(!table_.is_removed_face(f) && face_badness(f) > badness)
+      bad.push_back({face_badness(f), f});
+  std::sort(bad.begin(), bad.end(), [](const Bad& x, const Bad& y) {
+    return std::tie(y.badness, x.f) < std::tie(x.badness, y.f);
+  });
+  for(const Bad& x : bad) {
+    const auto is_mended = [&] { return table_.is_removed_face(x.f) || face_badness(x.f) <= badness; };
+    const auto try_each = [&](auto&& better) {
+      for(Index h = 4 * x.f; h < 4 * x.f + 3 && !is_mended(); ++h)
+        better(h);
+    };
+    try_each([&](const Index h) { better_vertex(table_.source(h)); });
+    try_each([&](const Index h) { better_by_flip(h); });
+    if(do_collapse)
+      try_each([&](const Index h) {
+        if(!better_by_collapse(h) && table_.opposite(h) != Lean_triangulation::none)
+          better_by_collapse(table_.opposite(h));
+      });
+  }
+  return bad.size();
+}
+
+// Tries steps along the edges, forth and back, long ones first, as long as one of them helps.
+inline bool Polish::better_vertex(const Index v)
+{
+  if(remeshed_.is_fixed(v))
+    return false;
+  constexpr std::array<double, 6> steps = {{.3, -.3, .1, -.1, .03, -.03}};
+  const double start = remeshed_.ring_badness(v);
+  double best = start;
+  bool has_moved = true;
+  for(int round = 0; round < 4 && has_moved; ++round) {
+    has_moved = false;
+    for(const double step : steps)
+      table_.for_each_neighbor(v, [&](const Index w) {
+        const Remeshed_surface::Spot old = remeshed_.spot(v);
+        remeshed_.put(v, remeshed_.spot_after(v, step * (remeshed_.spot(w).point - old.point)));
+        const double badness = remeshed_.ring_badness(v);
+        if(badness < best) {
+          best = badness;
+          has_moved = true;
+        }
+        else
+          remeshed_.put(v, old);
+      });
+  }
+  return best < start;
+}
+
+inline double Polish::badness_around(const std::array<Index, 4>& vertices) const
+{
+  double sum = 0.;
+  for(const Index v : vertices)
+    sum = add_badness(sum, remeshed_.ring_badness(v));
+  return sum;
+}
+
+// Ends a trial that began with `record()`.
+inline bool Polish::keep_if_better(const std::array<Index, 4>& vertices, const double before)
+{
+  for(int round = 0; round < 2; ++round)
+    for(const Index v : vertices)
+      better_vertex(v);
+  const bool is_better = badness_around(vertices) < before;
+  if(!is_better)
+    remeshed_.undo_to({0, 0});
+  remeshed_.forget();
+  return is_better;
+}
+
+inline bool Polish::better_by_flip(const Index h)
+{
+  if(!table_.is_flip_legal(h))
+    return false;
+  const Index o = table_.opposite(h);
+  const std::array<Index, 4> vertices = {{table_.source(h), table_.target(h), table_.apex(h), table_.apex(o)}};
+  const double before = badness_around(vertices);
+  remeshed_.record();
+  table_.flip(h);
+  return keep_if_better(vertices, before);
+}
+
+inline bool Polish::better_by_collapse(const Index h)
+{
+  if(remeshed_.is_fixed(table_.target(h)) || !table_.is_collapse_legal(h))
+    return false;
+  const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(table_.opposite(h));
+  const double before = badness_around({{a, b, c, d}});
+  remeshed_.record();
+  table_.collapse(h);
+  return keep_if_better({{a, a, c, d}}, before);
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
