@@ -98,7 +98,11 @@ private:
     if(!is_free(m_mesh.point(v), static_cast<std::ptrdiff_t>(m_samples.size())))
       return false;
     const Face f = m_mesh.face(m_mesh.halfedge(v));
-    add(Sample{f, m_working.place[v], m_mesh.point(v), is_pinned, m_segmentation.field_region[v], 0});
+    std::array<double, 3> weights = {{0., 0., 0.}};
+    for(int i = 0; i < 3; ++i)
+      weights[i] = vertices_of(m_mesh, f)[i] == v ? 1. : 0.;
+    add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), is_pinned,
+               m_segmentation.field_region[v], 0});
     return true;
   }
 

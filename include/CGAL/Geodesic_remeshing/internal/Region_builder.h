@@ -120,7 +120,11 @@ public:
     const int beside = ways.front().empty() ? regions.front() : m_result.region[ways.front().back()];
     put_on_bridge(saddle, regions.front(), beside, splits);
     add_bridges(saddle, ways);
-    return open_below(saddle, junction, bridge, closed);
+    const int above = region_met(closed);
+    const std::vector<int> opened = open_below(saddle, junction, bridge, closed);
+    for(int r : opened)
+      m_open[r].above = above;
+    return opened;
   }
 
   // The last region of a connected component, around its root. `open` are the regions still open there; those that do not
@@ -137,18 +141,25 @@ public:
         finish_region(r, root, false);
   }
 
-  // A leaf that meets nothing reaches the root: it degenerates to its centre, the top of the root region.
+  // A leaf that meets nothing reaches the root. It ends half way, and the root region goes on with the same circles.
   int open_root_below_leaf(int leaf)
   {
-    const std::size_t junction = m_result.number_of_junctions++;
-    const Vertex centre = m_result.regions[leaf].centre;
-    m_result.regions[leaf].bottom = junction;
-    own(centre, leaf, 0.);
-    m_fronts.take(centre);
-    const int r = add_region(Region_kind::root, centre, junction);
+    Region& region = m_result.regions[leaf];
+    region.bottom = m_result.number_of_junctions++;
+    const Vertex centre = region.centre;
+    march(leaf);
+    m_marching.march(Front_shape::circular, infinity);
+    double reach = 0.;
+    for(Vertex v : m_marching.reached())
+      reach = (std::max)(reach, m_marching.distance(v));
+    region.number_of_levels = static_cast<int>(std::floor(.5 * reach / m_curve_distance));
+    region.height = region.number_of_levels * m_curve_distance;
+    take_leaf(leaf);
+    const int r = add_region(Region_kind::root, centre, m_result.regions[leaf].bottom);
     m_result.regions[r].children.push_back(leaf);
     m_result.regions[leaf].parents.push_back(r);
     m_open[r].sources.emplace_back(centre, 0.);
+    m_open[r].offset = m_result.regions[leaf].height;
     return r;
   }
 
@@ -158,6 +169,8 @@ private:
     std::vector<std::pair<Vertex, double>> sources; // the top: vertices and their (signed) distances from it
     std::vector<Vertex> waiting;                    // vertices that the fronts above had to leave, see Fronts
     std::vector<Vertex> side;                       // free vertices beside the front, if another shares its bridge
+    double offset = 0.;                             // of the top from the sources
+    int above = -1;                                 // a region above that its top touches
   };
 
   int add_region(Region_kind kind, Vertex centre, std::size_t top)
@@ -242,12 +255,43 @@ private:
     region.number_of_levels = static_cast<int>(std::floor(reach / m_curve_distance + 1e-9));
     region.height = region.number_of_levels * m_curve_distance;
     if(region.kind == Region_kind::leaf)
-    {
-      m_fronts.take(region.centre);
-      own(region.centre, r, 0.);
-    }
+      take_leaf(r);
+    else if(region.number_of_levels > 0)
+      take_region(r, region.height);
+  }
+
+  void take_leaf(int r)
+  {
+    const Region& region = m_result.regions[r];
+    m_fronts.take(region.centre);
+    own(region.centre, r, 0.);
     if(region.number_of_levels > 0)
       take_region(r, region.height);
+  }
+
+  // Of regions whose fronts have met, one that has a height, if there is one. Leaves without one, which are but centres on
+  // the bridges, count to it.
+  int region_met(const std::vector<int>& closed)
+  {
+    std::vector<int> met;
+    for(int r : closed)
+    {
+      const Region& region = m_result.regions[r];
+      int s = region.number_of_levels > 0 || region.kind == Region_kind::leaf ? r : m_open[r].above;
+      while(s >= 0 && m_result.regions[s].part_of >= 0)
+        s = m_result.regions[s].part_of;
+      if(s >= 0)
+        met.push_back(s);
+    }
+    if(met.empty())
+      return -1;
+    const auto has_height = [this](int r) { return m_result.regions[r].number_of_levels > 0; };
+    const auto found = std::find_if(met.begin(), met.end(), has_height);
+    const int result = found == met.end() ? met.front() : *found;
+    for(int r : met)
+      if(r != result && !has_height(r))
+        m_result.regions[r].part_of = result;
+    return result;
   }
 
   // Two fronts that begin on the two sides of one bridge must not march over it: marks the surface from the one front down to
@@ -427,11 +471,12 @@ private:
     Region& region = m_result.regions[r];
     region.bottom = m_result.number_of_junctions++;
     march(r);
-    m_marching.march(shape(r), [this](Vertex v) { return is_unowned(v); }, [](Vertex, double) { return true; });
+    const double offset = m_open[r].offset;
+    m_marching.march(shape(r), [&](Vertex v) { return offset > 0. || is_unowned(v); }, [](Vertex, double) { return true; });
     double height = 0.;
     for(Vertex v : m_marching.reached())
       if(is_unowned(v) && (!is_root || v == root))
-        height = (std::max)(height, m_marching.distance(v));
+        height = (std::max)(height, m_marching.distance(v) - offset);
     region.height = height;
     region.spacing = height > 0. ? height / (std::max)(1., std::round(height / m_curve_distance)) : m_curve_distance;
     if(is_root)
@@ -443,7 +488,7 @@ private:
     for(Vertex v : m_marching.reached())
       if(is_unowned(v) && m_marching.distance(v) < infinity)
       {
-        own(v, r, m_marching.distance(v));
+        own(v, r, m_marching.distance(v) - offset);
         deepest = (std::max)(deepest, m_result.level[v]);
         m_fronts.take(v);
       }

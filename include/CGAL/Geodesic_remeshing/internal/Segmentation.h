@@ -43,6 +43,7 @@ struct Region
   double spacing = 0.;                // of its curves: C_d, or a little less or more in the root region
   int number_of_levels = 0;           // curves at spacing, 2 * spacing, ..., number_of_levels * spacing from the top
   std::size_t top = 0, bottom = 0;    // the junctions where the region begins and ends
+  int part_of = -1;                   // of a leaf that degenerates to its centre: the region that this counts to, if any
 };
 
 // The regions as a graph: junctions are points (a maximum, a saddle, the root), regions are arcs between them. On a

@@ -111,52 +111,136 @@ inline std::pair<std::vector<std::size_t>, std::size_t> find_strips(const Mesh& 
   return std::make_pair(std::move(strip), number);
 }
 
-// Cuts the surface along curves. `label(intervals)` is called for each piece of a face with the intervals on its border, and its
-// result stored as "f:region".
+// Cuts the surface along curves. `label(interval)` tells the region of an interval of an edge, which the faces get in
+// "f:region". Where it tells another region by -1 - region, that one is to have a passage along the edge: the piece on
+// either side of the interval is cut in two, between the middles of the curves there.
 template <class Label>
-Mesh cut_along(const Mesh& mesh, const Level_curves& curves, const Label& label)
+class Surface_cutter
 {
-  Mesh result;
-  result.reserve(mesh.number_of_vertices() + curves.crossings.size(), 0, 0);
-  for(Vertex v : mesh.vertices())
-    result.add_vertex(mesh.point(v));
-  for(Edge e : mesh.edges())
-    for(std::size_t c = curves.crossing_begin[e.idx()]; c < curves.crossing_begin[e.idx() + 1]; ++c)
-      result.add_vertex(point_at(mesh, Curve_point{mesh.halfedge(e), curves.crossings[c].position}));
-  auto region = result.add_property_map<Face, int>("f:region", -1).first;
-  const std::size_t n = mesh.number_of_vertices();
-  std::vector<Vertex> polygon;
-  const auto add = [&](int value)
+public:
+  Surface_cutter(const Mesh& mesh, const Level_curves& curves, const Label& label)
+    : m_mesh(mesh), m_curves(curves), m_label(label),
+      m_region(m_result.add_property_map<Face, int>("f:region", -1).first)
+  {}
+
+  Mesh run()
   {
-    for(std::size_t i = 1; i + 1 < polygon.size(); ++i)
-      region[result.add_face(polygon[0], polygon[i], polygon[i + 1])] = value;
+    for(Vertex v : m_mesh.vertices())
+      m_result.add_vertex(m_mesh.point(v));
+    for(Edge e : m_mesh.edges())
+      for(std::size_t c = m_curves.crossing_begin[e.idx()]; c < m_curves.crossing_begin[e.idx() + 1]; ++c)
+        m_result.add_vertex(point_at(m_mesh, Curve_point{m_mesh.halfedge(e), m_curves.crossings[c].position}));
+    for(Face f : m_mesh.faces())
+      cut(Face_division(m_mesh, m_curves, f));
+    return std::move(m_result);
+  }
+
+private:
+  // One curve in a face, cutting off a corner: from the outgoing edge of the corner to the incoming one
+  struct Arc
+  {
+    Vertex outgoing, incoming, middle; // the middle only where a passage needs it
   };
-  const auto vertex = [n](std::size_t crossing) { return Vertex(static_cast<Mesh::size_type>(n + crossing)); };
-  for(Face f : mesh.faces())
+
+  Vertex vertex(std::size_t crossing) const
+  { return Vertex(static_cast<Mesh::size_type>(m_mesh.number_of_vertices() + crossing)); }
+
+  void cut(const Face_division& d)
   {
-    const Face_division d(mesh, curves, f);
-    std::vector<Vertex> middle;
     for(int i = 0; i < 3; ++i)
     {
+      m_arcs[i].clear();
+      for(std::ptrdiff_t j = 0; j < d.arcs(i); ++j)
+        m_arcs[i].push_back(Arc{vertex(d.outgoing(i, j)), vertex(d.incoming(i, j)), Vertex()});
+    }
+    for(int i = 0; i < 3; ++i)
+      for(std::ptrdiff_t j = 1; j <= d.arcs(i); ++j)
+        if(m_label(d.outgoing_interval(i, j)) < 0 || m_label(d.incoming_interval(i, j)) < 0)
+          for(Arc* arc : {&m_arcs[i][j - 1], j < d.arcs(i) ? &m_arcs[i][j] : last_arc_facing(d, i, j)})
+            if(arc != nullptr && !arc->middle.is_valid())
+              arc->middle = m_result.add_vertex(midpoint(m_result.point(arc->outgoing), m_result.point(arc->incoming)));
+    for(int i = 0; i < 3; ++i)
       for(std::ptrdiff_t j = 0; j < d.arcs(i); ++j)
       {
+        m_polygon.clear();
         if(j == 0)
-          polygon = {d.corner(i), vertex(d.outgoing(i, 0)), vertex(d.incoming(i, 0))};
+          m_polygon.push_back(d.corner(i));
         else
-          polygon = {vertex(d.outgoing(i, j - 1)), vertex(d.outgoing(i, j)), vertex(d.incoming(i, j)),
-                     vertex(d.incoming(i, j - 1))};
-        add(label({d.outgoing_interval(i, j), d.incoming_interval(i, j)}));
+          append(m_arcs[i][j - 1], false);
+        append(m_arcs[i][j], true);
+        const int outgoing = m_label(d.outgoing_interval(i, j)), incoming = m_label(d.incoming_interval(i, j));
+        add_piece(outgoing < 0 ? incoming : outgoing, (std::min)(outgoing, incoming), outgoing < 0);
       }
-      if(d.arcs(i) == 0)
-        middle.push_back(d.corner(i));
-      else
-        middle.insert(middle.end(), {vertex(d.incoming(i, d.arcs(i) - 1)), vertex(d.outgoing(i, d.arcs(i) - 1))});
-    }
-    polygon = middle;
-    add(label({d.outgoing_interval(0, d.arcs(0)), d.outgoing_interval(1, d.arcs(1)), d.outgoing_interval(2, d.arcs(2))}));
+    add_middle(d);
   }
-  return result;
-}
+
+  // The arc around the other end of the edge along which the middle piece has a passage
+  Arc* last_arc_facing(const Face_division& d, int i, std::ptrdiff_t j)
+  {
+    const int other = m_label(d.outgoing_interval(i, j)) < 0 ? (i + 1) % 3 : (i + 2) % 3;
+    return m_arcs[other].empty() ? nullptr : &m_arcs[other].back();
+  }
+
+  // An arc as part of the border of the piece beyond it (from its corner) or before it
+  void append(const Arc& arc, bool forward)
+  {
+    m_polygon.push_back(forward ? arc.outgoing : arc.incoming);
+    if(arc.middle.is_valid())
+      m_polygon.push_back(arc.middle);
+    m_polygon.push_back(forward ? arc.incoming : arc.outgoing);
+  }
+
+  void add_middle(const Face_division& d)
+  {
+    m_polygon.clear();
+    int passage = 0, value = -1, edge = 0;
+    for(int i = 0; i < 3; ++i)
+    {
+      if(m_arcs[i].empty())
+        m_polygon.push_back(d.corner(i));
+      else
+        append(m_arcs[i].back(), false);
+      const int label = m_label(d.outgoing_interval(i, d.arcs(i)));
+      value = (std::max)(value, label);
+      passage = (std::min)(passage, label);
+      edge = label < 0 ? i : edge;
+    }
+    add_piece(value, passage, edge != 2);
+  }
+
+  // A piece of a face with this value, but for a passage of another region between the middles of two arcs: in the order of
+  // the polygon that is what lies from the first to the second of them, or the rest.
+  void add_piece(int value, int passage, bool passage_is_inner)
+  {
+    const auto is_middle = [this](Vertex v) { return v.idx() >= m_mesh.number_of_vertices() + m_curves.crossings.size(); };
+    const auto first = std::find_if(m_polygon.begin(), m_polygon.end(), is_middle);
+    const auto second = first == m_polygon.end() ? first : std::find_if(std::next(first), m_polygon.end(), is_middle);
+    if(passage >= 0 || second == m_polygon.end())
+    {
+      add_polygon(m_polygon, value >= 0 ? value : -1 - passage);
+      return;
+    }
+    const std::vector<Vertex> inner(first, std::next(second));
+    std::vector<Vertex> outer(second, m_polygon.end());
+    outer.insert(outer.end(), m_polygon.begin(), std::next(first));
+    add_polygon(inner, passage_is_inner || value < 0 ? -1 - passage : value);
+    add_polygon(outer, !passage_is_inner || value < 0 ? -1 - passage : value);
+  }
+
+  void add_polygon(const std::vector<Vertex>& polygon, int value)
+  {
+    for(std::size_t i = 1; i + 1 < polygon.size(); ++i)
+      m_region[m_result.add_face(polygon[0], polygon[i], polygon[i + 1])] = value;
+  }
+
+  const Mesh& m_mesh;
+  const Level_curves& m_curves;
+  const Label& m_label;
+  Mesh m_result;
+  Mesh::Property_map<Face, int> m_region;
+  std::array<std::vector<Arc>, 3> m_arcs;
+  std::vector<Vertex> m_polygon;
+};
 
 // The segmentation with nothing left in it but the bottoms of the regions that have a height: regions that degenerate to
 // their tops are part of the region below.
@@ -169,12 +253,20 @@ inline Segmentation region_boundaries(const Segmentation& segmentation)
     Region& region = result.regions[r];
     const bool is_last = region.parents.empty();
     resolved[r] = is_last || region.number_of_levels > 0 ? static_cast<int>(r) : resolved[region.parents.front()];
+    if(region.part_of >= 0)
+      resolved[r] = -1;
     region.number_of_levels = is_last ? 0 : (std::min)(region.number_of_levels, 1);
     region.spacing = region.height > 0. ? region.height : 1.;
   }
+  const auto region_of = [&](int r) // a leaf on a bridge counts to a region beside it
+  {
+    while(resolved[r] < 0)
+      r = segmentation.regions[r].part_of;
+    return resolved[r];
+  };
   for(std::size_t v = 0; v < result.region.size(); ++v)
   {
-    const int r = resolved[segmentation.region[v]];
+    const int r = region_of(segmentation.region[v]);
     if(segmentation.field_region[v] != r)
       result.field[v] = segmentation.field_region[v] < r ? 0. : .99 * result.regions[r].height;
     result.field[v] = (std::min)(result.field[v], .99 * result.regions[r].height);
@@ -211,8 +303,7 @@ inline std::vector<int> regions_of_intervals(const Mesh& mesh, const Segmentatio
     for(std::size_t i = 0; i + 1 < bridge.size(); ++i)
     {
       const std::size_t e = mesh.edge(mesh.halfedge(bridge[i], bridge[i + 1])).idx();
-      const int label = boundaries.region[(std::min)(bridge[i], bridge[i + 1], [&](Vertex a, Vertex b)
-                                                     { return boundaries.region[a] < boundaries.region[b]; })];
+      const int label = (std::min)(boundaries.region[bridge[i]], boundaries.region[bridge[i + 1]]);
       for(std::size_t c = curves.crossing_begin[e] + 1; c < curves.crossing_begin[e + 1]; ++c)
         region[c + e] = -1 - label; // marked: holds for the whole pieces beside the edge
     }
@@ -238,13 +329,8 @@ inline Mesh cut_along_regions(const Mesh& mesh, const Segmentation& segmentation
     }
   }
   const std::vector<int> region = regions_of_intervals(mesh, boundaries, curves);
-  return cut_along(mesh, curves, [&](const std::vector<std::size_t>& intervals)
-  {
-    for(std::size_t i : intervals)
-      if(region[i] < 0)
-        return -1 - region[i];
-    return region[intervals.front()];
-  });
+  const auto label = [&](std::size_t interval) { return region[interval]; };
+  return Surface_cutter<decltype(label)>(mesh, curves, label).run();
 }
 
 } // namespace internal

@@ -10,7 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 
-#include <CGAL/Geodesic_remeshing/geodesic_diameter.h>
+#include <CGAL/Geodesic_remeshing/internal/farthest_points.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
