@@ -76,7 +76,7 @@ private:
   {
     bool leaves_at_bottom, enters_at_bottom;
     std::vector<std::pair<int, bool>> between; // region, downwards?
-    long levels_between = 0;
+    double length_between = 0.;
   };
 
   const Region& region(int r) const { return m_segmentation.regions[r]; }
@@ -127,10 +127,10 @@ private:
     return reg.height;
   }
 
-  long levels_to_end(Vertex v, bool at_bottom) const
+  double length_to_end(Vertex v, bool at_bottom) const
   {
-    const int k = m_segmentation.level[v];
-    return at_bottom ? region(m_segmentation.field_region[v]).number_of_levels + 1 - k : k - 1;
+    const double field = m_segmentation.field[v];
+    return (std::max)(0., at_bottom ? region(m_segmentation.field_region[v]).height - field : field);
   }
 
   const Route& best_route(Vertex a, Vertex b)
@@ -140,10 +140,10 @@ private:
     if(found == m_routes.end())
       found = m_routes.emplace(key, find_routes(key.first, key.second)).first;
     const auto& routes = found->second;
-    const auto levels = [&](const Route& route)
-    { return levels_to_end(a, route.leaves_at_bottom) + route.levels_between + levels_to_end(b, route.enters_at_bottom); };
+    const auto length = [&](const Route& route)
+    { return length_to_end(a, route.leaves_at_bottom) + route.length_between + length_to_end(b, route.enters_at_bottom); };
     return *std::min_element(routes.begin(), routes.end(),
-                             [&](const Route& p, const Route& q) { return levels(p) < levels(q); });
+                             [&](const Route& p, const Route& q) { return length(p) < length(q); });
   }
 
   // The four ways (out at top or bottom, in at top or bottom), each by the shortest walk between, where there is one
@@ -153,43 +153,43 @@ private:
     for(bool out_at_bottom : {true, false})
       for(bool in_at_bottom : {false, true})
         find_walk(out_at_bottom ? region(r).bottom : region(r).top, in_at_bottom ? region(s).bottom : region(s).top,
-                  r, s, Route{out_at_bottom, in_at_bottom, {}, 0}, routes);
+                  r, s, Route{out_at_bottom, in_at_bottom, {}, 0.}, routes);
     if(routes.empty()) // different components never share an edge; only for safety
-      routes.push_back(Route{true, true, {}, 0});
+      routes.push_back(Route{true, true, {}, 0.});
     return routes;
   }
 
   void find_walk(std::size_t from, std::size_t to, int r, int s, Route route, std::vector<Route>& routes) const
   {
-    struct Reached { long levels; int through; std::size_t before; };
+    struct Reached { double length; int through; std::size_t before; };
     std::map<std::size_t, Reached> reached;
-    using Entry = std::pair<long, std::size_t>;
+    using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    reached[from] = Reached{0, -1, from};
-    queue.emplace(0, from);
+    reached[from] = Reached{0., -1, from};
+    queue.emplace(0., from);
     while(!queue.empty() && queue.top().second != to)
     {
       const Entry top = queue.top();
       queue.pop();
-      if(top.first > reached[top.second].levels)
+      if(top.first > reached[top.second].length)
         continue;
       for(int q : m_at_junction[top.second])
       {
         if(q == r || q == s)
           continue;
         const std::size_t other = region(q).top == top.second ? region(q).bottom : region(q).top;
-        const long levels = top.first + region(q).number_of_levels;
+        const double length = top.first + region(q).height;
         const auto known = reached.find(other);
-        if(known != reached.end() && known->second.levels <= levels)
+        if(known != reached.end() && known->second.length <= length)
           continue;
-        reached[other] = Reached{levels, q, top.second};
-        queue.emplace(levels, other);
+        reached[other] = Reached{length, q, top.second};
+        queue.emplace(length, other);
       }
     }
     const auto end = reached.find(to);
     if(end == reached.end())
       return;
-    route.levels_between = end->second.levels;
+    route.length_between = end->second.length;
     for(std::size_t j = to; j != from; j = reached[j].before)
       route.between.emplace_back(reached[j].through, region(reached[j].through).bottom == j);
     std::reverse(route.between.begin(), route.between.end());
