@@ -42,11 +42,13 @@ public:
   const Intrinsic_triangulation& triangulation() const { return *m_triangulation; }
 
   // The front starts at `v` with this value, which may be any number.
-  void add_source(Vertex v, double distance = 0.)
+  void add_source(Vertex v, double distance = 0.) { add_source(v, distance, infinity); }
+
+  // The way back to the source is known, too: it goes through the face of `v`, `right` and `left`, at this angle from
+  // the edge to `right`.
+  void add_source(Vertex v, double distance, Vertex right, Vertex left, double angle)
   {
-    CGAL_precondition(static_cast<std::size_t>(v.idx()) < m_state.size());
-    m_least_source = (std::min)(m_least_source, distance);
-    lower(static_cast<Index>(v.idx()), distance, infinity);
+    add_source(v, distance, direction_in_face(v, right, left, angle));
   }
 
   // Marches until the queue is empty. `domain(v)`: may the front enter `v`? `settle(v, distance)` is called in
@@ -108,6 +110,22 @@ private:
     }
   };
 
+  void add_source(Vertex v, double distance, double direction)
+  {
+    CGAL_precondition(static_cast<std::size_t>(v.idx()) < m_state.size());
+    m_least_source = (std::min)(m_least_source, distance);
+    lower(static_cast<Index>(v.idx()), distance, direction);
+  }
+
+  double direction_in_face(Vertex v, Vertex right, Vertex left, double angle) const
+  {
+    const Spoke* const end = m_triangulation->end(v);
+    for(const Spoke* spoke = m_triangulation->begin(v); spoke != end; ++spoke)
+      if(spoke->rim >= 0. && spoke[0].neighbor == right && spoke[1].neighbor == left)
+        return spoke->angle + angle;
+    return infinity;
+  }
+
   void lower(Index v, double distance, double direction)
   {
     State& state = m_state[v];
@@ -134,11 +152,7 @@ private:
   bool is_worth(double distance, const Spoke& spoke) const;
   void arrive(const Arrival& arrival, const Spoke& spoke);
 
-  static bool is_obtuse(double side_a, double side_b, double base)
-  {
-    return side_a * side_a + side_b * side_b < base * base;
-  }
-
+  bool may_come_earlier(double distance, double side_v, double side, double base) const;
   static double signed_angle(double angle, double full_angle);
 
   const Intrinsic_triangulation* m_triangulation;
@@ -168,7 +182,7 @@ void Fast_marching::march_shape(const Domain& domain, Settle& settle, double max
 }
 
 // Brings the front from v, which has just been settled, to its neighbors: along the spokes, and across the faces that
-// have another settled vertex. What was settled earlier than v can gain only where its angle in the face is obtuse.
+// have another settled vertex. What was settled earlier than v seldom gains.
 template <Front_shape shape, typename Domain>
 void Fast_marching::spread_from(Index v, const Domain& domain, double maximum_distance)
 {
@@ -185,13 +199,15 @@ void Fast_marching::spread_from(Index v, const Domain& domain, double maximum_di
     {
       const Spoke* const next = spoke + 1;
       const State& c = m_state[next->neighbor];
-      if(c.is_settled && (here.distance < b.distance || is_obtuse(spoke->length, spoke->rim, next->length)))
+      if(c.is_settled &&
+         (here.distance < b.distance || may_come_earlier(b.distance, spoke->length, spoke->rim, next->length)))
       {
         const Arrival across_next_face = across_face<shape>(v, *next, *spoke, spoke->rim, -1.);
         if(across_next_face.distance < best.distance)
           best = across_next_face;
       }
-      if(b.is_settled && (here.distance < c.distance || is_obtuse(next->length, spoke->rim, spoke->length)))
+      if(b.is_settled &&
+         (here.distance < c.distance || may_come_earlier(c.distance, next->length, spoke->rim, spoke->length)))
         across_previous_face = across_face<shape>(v, *spoke, *next, spoke->rim, 1.);
     }
     const double along = here.distance + spoke->length;
@@ -218,6 +234,14 @@ Arrival Fast_marching::across_face(Index v, const Spoke& base, const Spoke& side
   Arrival arrival = arrive_across<shape>({a.distance, angle_a}, {b.distance, angle_b}, base.length, side.length, rim);
   arrival.turn *= orientation;
   return arrival;
+}
+
+// May a front through the base come to the apex before it comes to v, an end of the base? Only if the apex is farther
+// than v from the middle of the way between them, seen from the source: where the angle at the apex is obtuse, or
+// almost so and the source near.
+inline bool Fast_marching::may_come_earlier(double distance, double side_v, double side, double base) const
+{
+  return (distance - m_least_source) * (side_v * side_v + side * side - base * base) < side_v * side_v * side;
 }
 
 // A distance that has served already drops only by more than this part of an edge. Hardly measurable, it makes

@@ -135,7 +135,7 @@ Arrival arrive_along(const Front_at_end& begin, double length)
 
   if(!(begin.angle < infinity))
   {
-    const bool is_source = shape == Front_shape::circular && !(begin.distance > 0.);
+    const bool is_source = !(begin.distance > 0.);
     return {begin.distance + length, is_source ? 0. : infinity};
   }
   const double angle = std::abs(begin.angle);

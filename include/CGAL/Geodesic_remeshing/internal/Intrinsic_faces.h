@@ -63,6 +63,13 @@ public:
   // along these edges: it becomes the length. Nothing but lengths that fall: the shortest paths stay what they were.
   void enforce_triangle_inequality();
 
+  // Keeps a face as it is: its edges are not flipped.
+  void freeze(Index f)
+  {
+    m_is_frozen.resize(m_triangles.size(), false);
+    m_is_frozen[f] = true;
+  }
+
   // Flips to the intrinsic Delaunay triangulation of the same piecewise flat surface.
   void make_Delaunay();
 
@@ -98,6 +105,7 @@ private:
     return 0.5 * std::sqrt((std::max)(0., (a + (b - c)) * (a - (b - c)) * ((b + c) - a) * ((b + c) + a)));
   }
 
+  bool is_frozen(Index f) const { return !m_is_frozen.empty() && m_is_frozen[f]; }
   bool must_flip(Index h) const;
   double length_after_flip(Index h) const;
   void flip(Index h);
@@ -111,6 +119,7 @@ private:
 
   std::size_t m_number_of_vertices;
   std::vector<Triangle> m_triangles;
+  std::vector<bool> m_is_frozen; // empty if none is
 };
 
 // The sum of the angles opposite to the edge exceeds pi: its sine is negative. One of the angles must then be obtuse,
@@ -124,7 +133,7 @@ inline bool Intrinsic_faces::must_flip(Index h) const
     return false;
   const Opposite_angle p = opposite_angle(h);
   const Opposite_angle q = opposite_angle(o);
-  if(p.cosine >= 0. && q.cosine >= 0.)
+  if((p.cosine >= 0. && q.cosine >= 0.) || is_frozen(h / 3) || is_frozen(o / 3))
     return false;
   return sine_of_opposite_angle(h) * q.cosine + sine_of_opposite_angle(o) * p.cosine < -1e-7 * p.product * q.product;
 }

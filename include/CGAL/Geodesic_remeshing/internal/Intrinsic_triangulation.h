@@ -59,13 +59,15 @@ public:
   // length.
   template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
   Intrinsic_triangulation(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
-                          const Length_of_halfedge& length_of_halfedge)
+                          const Length_of_halfedge& length_of_halfedge, const std::vector<std::size_t>& frozen_faces = {})
   {
-    Intrinsic_faces faces(index_bound(vertices(graph), vertex_index), index_bound(CGAL::faces(graph), face_index));
-    copy_faces(graph, vertex_index, face_index, length_of_halfedge, faces);
-    faces.enforce_triangle_inequality();
-    faces.make_Delaunay();
-    collect_spokes(faces);
+    Intrinsic_faces copy(index_bound(vertices(graph), vertex_index), index_bound(faces(graph), face_index));
+    copy_faces(graph, vertex_index, face_index, length_of_halfedge, copy);
+    copy.enforce_triangle_inequality();
+    for(const std::size_t f : frozen_faces)
+      copy.freeze(static_cast<Index>(f));
+    copy.make_Delaunay();
+    collect_spokes(copy);
   }
 
   std::size_t number_of_vertices() const { return m_rings.size() - 1; }
@@ -96,7 +98,7 @@ private:
 
   template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
   static void copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
-                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& faces);
+                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& copy);
   struct Ring
   {
     double full_angle;
@@ -120,18 +122,18 @@ private:
 
 template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
 void Intrinsic_triangulation::copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
-                                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& faces)
+                                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& copy)
 {
-  for(const auto f : CGAL::faces(graph))
+  for(const auto f : faces(graph))
   {
     const Index i = static_cast<Index>(get(face_index, f));
-    auto& triangle = faces.triangle(i);
+    auto& triangle = copy.triangle(i);
     auto h = halfedge(f, graph);
     for(Index k = 0; k < 3; ++k, h = next(h, graph))
     {
       triangle.vertex[k] = static_cast<Index>(get(vertex_index, source(h, graph)));
       const auto o = opposite(h, graph);
-      const bool seen = !is_border(o, graph) && faces.is_face(static_cast<Index>(get(face_index, face(o, graph))));
+      const bool seen = !is_border(o, graph) && copy.is_face(static_cast<Index>(get(face_index, face(o, graph))));
       if(!seen || face(o, graph) == f)
       {
         triangle.length[k] = length_of_halfedge(h);
@@ -141,8 +143,8 @@ void Intrinsic_triangulation::copy_faces(const Graph& graph, VertexIndexMap vert
       const auto first = halfedge(face(o, graph), graph);
       const Index slot = o == first ? 0 : o == next(first, graph) ? 1 : 2;
       triangle.opposite[k] = 3 * j + slot;
-      triangle.length[k] = faces.triangle(j).length[slot];
-      faces.triangle(j).opposite[slot] = 3 * i + k;
+      triangle.length[k] = copy.triangle(j).length[slot];
+      copy.triangle(j).opposite[slot] = 3 * i + k;
     }
   }
 }

@@ -35,7 +35,8 @@ struct Components
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  explicit Components(const Intrinsic_triangulation& triangulation) : component_of(triangulation.number_of_vertices(), none)
+  explicit Components(const Intrinsic_triangulation& triangulation)
+    : component_of(triangulation.number_of_vertices(), none)
   {
     using Index = Intrinsic_triangulation::Index;
     std::vector<Index> stack;
@@ -85,8 +86,8 @@ inline void find_farthest(Fast_marching& marching, const Components& components,
   }
 }
 
-// Section 4 of the paper: go to the farthest vertex, again and again, until it does not get farther. Leaves the distances
-// from the roots in `marching`.
+// Section 4 of the paper: go to the farthest vertex, again and again, until it does not get farther. Leaves the
+// distances from the roots in `marching`.
 inline std::vector<Farthest_pair> farthest_pairs(Fast_marching& marching)
 {
   // two to four runs are the rule; what later ones could still gain is less than the distances are sure of

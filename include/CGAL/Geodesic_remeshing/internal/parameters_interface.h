@@ -12,5 +12,6 @@
 
 CGAL_add_named_parameter(use_segmentation_t, use_segmentation, use_segmentation)
 CGAL_add_named_parameter(vertex_weight_map_t, vertex_weight_map, vertex_weight_map)
+CGAL_add_named_parameter(vertex_distance_map_t, vertex_distance_map, vertex_distance_map)
 CGAL_add_named_parameter(use_defect_moves_t, use_defect_moves, use_defect_moves)
 CGAL_add_named_parameter(stage_results_t, stage_results, stage_results)
