@@ -166,9 +166,13 @@ inline void Surface_walker::cross(const Index h, const Index o, std::array<doubl
 
 inline Place Surface_walker::walk(const Place& from, const Vector& displacement) const
 {
+  constexpr double fastest = 1e100;
   Index f = from.face;
   std::array<double, 3> at = from.coordinates, by = velocity(from.face, displacement);
   for(std::size_t crossings = 0; crossings < maximum_number_of_crossings_; ++crossings) {
+    // Among faces without area the way can turn for ever, faster at each crossing.
+    if(!(std::abs(by[0]) + std::abs(by[1]) + std::abs(by[2]) < fastest))
+      break;
     // The first coordinate to reach zero on the way names the edge crossed.
     Index exit = 3;
     double time = 1.;

@@ -1,0 +1,500 @@
+#include <CGAL/Geodesic_remeshing/internal/improve.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+using namespace CGAL::Geodesic_remeshing::internal;
+using Index = Lean_triangulation::Index;
+
+namespace {
+
+// The same numbers on any platform.
+class Random_numbers
+{
+public:
+  double operator()(const double low, const double high)
+  {
+    state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+    return low + (high - low) * static_cast<double>(state_ >> 11) / 9007199254740992.;
+  }
+
+private:
+  std::uint64_t state_ = 1;
+};
+
+// columns x rows quadrilaterals, each cut in two; point(i, j); closed in one or both directions or not at all.
+template <class Point_of>
+Mesh grid(const std::size_t columns, const std::size_t rows, const bool close_i, const bool close_j, const Point_of& point)
+{
+  Mesh mesh;
+  const std::size_t m = close_i ? columns : columns + 1, n = close_j ? rows : rows + 1;
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < m; ++i)
+      mesh.add_vertex(point(static_cast<double>(i), static_cast<double>(j)));
+  const auto at = [&](const std::size_t i, const std::size_t j) { return Vertex(static_cast<Index>(j % n * m + i % m)); };
+  for(std::size_t j = 0; j < rows; ++j)
+    for(std::size_t i = 0; i < columns; ++i) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
+}
+
+Mesh plane(const std::size_t n)
+{
+  return grid(n, n, false, false, [](const double i, const double j) { return Point(i, j, 0.); });
+}
+
+// Around 40, along the tube 16 quadrilaterals, times k. The tube is thick enough to have no acute places.
+Mesh torus(const std::size_t k)
+{
+  return grid(40 * k, 16 * k, true, true, [k](const double i, const double j) {
+    const double u = 2. * CGAL_PI * i / (40. * k), v = 2. * CGAL_PI * j / (16. * k);
+    return Point((5. + 2. * std::cos(v)) * std::cos(u), (5. + 2. * std::cos(v)) * std::sin(u), 2. * std::sin(v));
+  });
+}
+
+// An octahedron, each face divided into n x n triangles.
+Mesh sphere(const std::size_t n)
+{
+  Mesh mesh;
+  std::vector<std::array<Vertex, 3>> faces;
+  std::array<Vertex, 6> v;
+  for(int i = 0; i < 6; ++i) {
+    std::array<double, 3> p = {{0., 0., 0.}};
+    p[i % 3] = i < 3 ? 1. : -1.;
+    v[i] = mesh.add_vertex(Point(p[0], p[1], p[2]));
+  }
+  for(int i = 0; i < 8; ++i) {
+    const int x = i & 1 ? 3 : 0, y = i & 2 ? 4 : 1, z = i & 4 ? 5 : 2;
+    const bool is_even = ((i & 1) + ((i >> 1) & 1) + ((i >> 2) & 1)) % 2 == 0;
+    mesh.add_face(v[x], v[is_even ? y : z], v[is_even ? z : y]);
+  }
+  for(std::size_t k = 1; k < n; k *= 2) {
+    Mesh finer;
+    std::vector<Vertex> middle(mesh.number_of_edges());
+    const auto on_sphere = [](const Point& p) { return CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length()); };
+    for(const Vertex w : mesh.vertices())
+      finer.add_vertex(mesh.point(w));
+    for(const Edge e : mesh.edges())
+      middle[e] = finer.add_vertex(on_sphere(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+    for(const Face f : mesh.faces()) {
+      const Halfedge h = mesh.halfedge(f);
+      const auto p = vertices_of(mesh, f);
+      const Vertex a = middle[mesh.edge(h)], b = middle[mesh.edge(mesh.next(h))], c = middle[mesh.edge(mesh.prev(h))];
+      finer.add_face(p[0], a, c);
+      finer.add_face(a, p[1], b);
+      finer.add_face(c, b, p[2]);
+      finer.add_face(a, b, c);
+    }
+    mesh = finer;
+  }
+  return mesh;
+}
+
+Place place_of_vertex(const Mesh& surface, const Vertex v)
+{
+  const Halfedge h = surface.halfedge(v);
+  const Face f = surface.face(surface.is_border(h) ? surface.opposite(h) : h);
+  const auto p = vertices_of(surface, f);
+  Place place{f, {{0., 0., 0.}}};
+  for(std::size_t i = 0; i < 3; ++i)
+    place.coordinates[i] = p[i] == v ? 1. : 0.;
+  return place;
+}
+
+// A triangulation to improve: a mesh, its places on a surface, and what is pinned.
+struct Start
+{
+  Mesh mesh;
+  Mesh::Property_map<Vertex, Place> place = mesh.add_property_map<Vertex, Place>("v:place").first;
+  Mesh::Property_map<Vertex, bool> pinned = mesh.add_property_map<Vertex, bool>("v:pinned", false).first;
+
+  Start() = default;
+  Start(const Start&) = delete;
+  Start& operator=(const Start&) = delete;
+};
+
+// The surface's own connectivity, its vertices walked away at random by up to `shift`.
+void spoil(const Mesh& surface, const double shift, Start& start)
+{
+  const Surface_walker walker(surface);
+  Random_numbers random;
+  for(const Vertex v : surface.vertices()) {
+    const Vector way(random(-shift, shift), random(-shift, shift), random(-shift, shift));
+    const Place place = walker.walk(place_of_vertex(surface, v), way);
+    start.place[start.mesh.add_vertex(walker.point(place))] = place;
+  }
+  for(const Face f : surface.faces()) {
+    const auto v = vertices_of(surface, f);
+    start.mesh.add_face(v[0], v[1], v[2]);
+  }
+}
+
+Improvement_parameters parameters_for(const Mesh& surface, const std::size_t number_of_vertices)
+{
+  double area = 0.;
+  for(const Face f : surface.faces()) {
+    const auto v = vertices_of(surface, f);
+    area += std::sqrt(CGAL::squared_area(surface.point(v[0]), surface.point(v[1]), surface.point(v[2])));
+  }
+  Improvement_parameters parameters{};
+  parameters.number_of_vertices = number_of_vertices;
+  parameters.edge_length = std::sqrt(2. * area / (std::sqrt(3.) * number_of_vertices));
+  parameters.use_defect_moves = true;
+  parameters.number_of_iterations = 3;
+  return parameters;
+}
+
+bool go_to_the_end(double) { return true; }
+
+std::ptrdiff_t euler_characteristic(const Mesh& mesh)
+{
+  return static_cast<std::ptrdiff_t>(mesh.number_of_vertices()) - static_cast<std::ptrdiff_t>(mesh.number_of_edges()) +
+         static_cast<std::ptrdiff_t>(mesh.number_of_faces());
+}
+
+double smallest_angle(const Mesh& mesh)
+{
+  double smallest = 180.;
+  for(const Halfedge h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                              mesh.point(mesh.target(mesh.next(h)))));
+  return smallest;
+}
+
+double percent_irregular(const Mesh& mesh)
+{
+  std::size_t irregular = 0;
+  for(const Vertex v : mesh.vertices())
+    irregular += mesh.degree(v) != 6;
+  return 100. * irregular / mesh.number_of_vertices();
+}
+
+void expect_valid(const Mesh& surface, const Start& start)
+{
+  const Mesh& mesh = start.mesh;
+  EXPECT_FALSE(mesh.has_garbage());
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
+  EXPECT_EQ(euler_characteristic(mesh), euler_characteristic(surface));
+  EXPECT_EQ(CGAL::is_closed(mesh), CGAL::is_closed(surface));
+  for(const Vertex v : mesh.vertices()) {
+    const auto& c = start.place[v].coordinates;
+    EXPECT_GE((std::min)({c[0], c[1], c[2]}), 0.);
+    EXPECT_NEAR(c[0] + c[1] + c[2], 1., 1e-12);
+    EXPECT_EQ(mesh.point(v), point_at(surface, start.place[v]));
+    std::vector<Vertex> neighbors;
+    for(const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
+      neighbors.push_back(w);
+    std::sort(neighbors.begin(), neighbors.end());
+    EXPECT_TRUE(std::adjacent_find(neighbors.begin(), neighbors.end()) == neighbors.end()) << "double edge at " << v;
+    EXPECT_GE(neighbors.size(), mesh.is_border(v) ? 2u : 3u);
+  }
+}
+
+void expect_no_turned_faces(const Mesh& surface, const Start& start)
+{
+  const Surface_walker walker(surface);
+  for(const Face f : start.mesh.faces()) {
+    const auto v = vertices_of(start.mesh, f);
+    const Vector normal = CGAL::normal(start.mesh.point(v[0]), start.mesh.point(v[1]), start.mesh.point(v[2]));
+    Vector sum(0., 0., 0.);
+    for(const Vertex w : v)
+      sum = sum + walker.normal(start.place[w].face);
+    EXPECT_GT(normal * sum, 0.) << "at face " << f;
+  }
+}
+
+} // namespace
+
+TEST(Surface_walker, plane_is_crossed_straight)
+{
+  const Mesh surface = plane(20);
+  const Surface_walker walker(surface);
+  Random_numbers random;
+  for(int i = 0; i < 200; ++i) {
+    const Place from{Face(static_cast<Index>(random(0, 800))), {{.2, .3, .5}}};
+    const Point p = walker.point(from), q(random(0, 20), random(0, 20), 0.);
+    // What points off the plane does not count.
+    const Place to = walker.walk(from, q - p + Vector(0., 0., random(-5, 5)));
+    EXPECT_NEAR(CGAL::squared_distance(walker.point(to), q), 0., 1e-18);
+  }
+}
+
+TEST(Surface_walker, boundary_ends_the_way)
+{
+  const Mesh surface = plane(5);
+  const Surface_walker walker(surface);
+  const Place from{Face(0), {{.2, .5, .3}}};
+  const Point p = walker.point(from), q = walker.point(walker.walk(from, Vector(-30., 0., 0.)));
+  EXPECT_NEAR(q.x(), 0., 1e-12);
+  EXPECT_NEAR(q.y(), p.y(), 1e-12);
+}
+
+TEST(Surface_walker, grid_vertices_are_passed_through)
+{
+  const Mesh surface = plane(10);
+  const Surface_walker walker(surface);
+  for(const Vector& way : {Vector(3., 0., 0.), Vector(0., 3., 0.), Vector(3., 3., 0.), Vector(-2., -2., 0.), Vector(-3., 2., 0.)}) {
+    const Vertex v(5 * 11 + 5);
+    const Point q = surface.point(v) + way;
+    EXPECT_NEAR(CGAL::squared_distance(walker.point(walker.walk(place_of_vertex(surface, v), way)), q), 0., 1e-18);
+  }
+}
+
+// A prism unrolls to the plane: the way around it is a straight line there.
+TEST(Surface_walker, prism_is_unrolled)
+{
+  constexpr std::size_t sides = 24;
+  const double side = 2. * std::sin(CGAL_PI / sides);
+  const Mesh surface = grid(sides, 30, true, false, [&](const double i, const double j) {
+    return Point(std::cos(2. * CGAL_PI * i / sides), std::sin(2. * CGAL_PI * i / sides), .2 * j);
+  });
+  const Surface_walker walker(surface);
+  for(const double slope : {-.3, 0., .1, .45}) {
+    // From the side between corners 0 and 1, half way, on the level of 2.5; once around and 3.5 sides more.
+    const Place from{Face(2 * (12 * sides)), {{.25, .5, .25}}};
+    const Point p = walker.point(from);
+    const Vector along = surface.point(Vertex(1)) - surface.point(Vertex(0));
+    const double start = CGAL::scalar_product(p - surface.point(Vertex(12 * sides)), along) / along.squared_length();
+    const double way = (sides + 3.5) * side;
+    const Point q = walker.point(walker.walk(from, way * (along / side + Vector(0., 0., slope))));
+    const double end = std::fmod(start + sides + 3.5, double(sides)), part = end - std::floor(end);
+    const Point a = surface.point(Vertex(static_cast<Index>(end))), b = surface.point(Vertex(static_cast<Index>(end) + 1));
+    const double height = p.z() + slope * way;
+    if(height < 0. || height > 6.)
+      continue;                                          // has met the boundary
+    const Point expected(a.x() + part * (b.x() - a.x()), a.y() + part * (b.y() - a.y()), height);
+    EXPECT_NEAR(CGAL::squared_distance(q, expected), 0., 1e-18) << "slope " << slope;
+  }
+}
+
+// A way past the apex of a cone keeps the law of cosines: the apex is where a vertex of the plane would be.
+TEST(Surface_walker, cone_is_unrolled)
+{
+  for(const int sides : {3, 5, 9}) {
+    Mesh surface;
+    const Vertex apex = surface.add_vertex(Point(0., 0., 2.));
+    for(int i = 0; i < sides; ++i)
+      surface.add_vertex(Point(std::cos(2. * CGAL_PI * i / sides), std::sin(2. * CGAL_PI * i / sides), 0.));
+    for(int i = 0; i < sides; ++i)
+      surface.add_face(apex, Vertex(1 + i), Vertex(1 + (i + 1) % sides));
+    const Surface_walker walker(surface);
+    const Place from{Face(0), {{.7, .2, .1}}};
+    const Point p = walker.point(from);
+    const Vector to_apex = surface.point(apex) - p, side = CGAL::cross_product(walker.normal(Face(0)), to_apex);
+    for(const double angle : {-.8, -.2, -.01, .02, .3, 1.2}) {
+      const double r = std::sqrt(to_apex.squared_length()), length = 1.1 * r;
+      const Vector way = 1.1 * (std::cos(angle) * to_apex + std::sin(angle) * side);
+      const Point q = walker.point(walker.walk(from, way));
+      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(q, surface.point(apex))),
+                  std::sqrt(r * r + length * length - 2. * r * length * std::cos(angle)), 1e-9);
+    }
+  }
+}
+
+TEST(Surface_walker, sphere_is_crossed_on_great_circles)
+{
+  const Mesh surface = sphere(32);
+  const Surface_walker walker(surface);
+  Random_numbers random;
+  for(int i = 0; i < 100; ++i) {
+    const Place from{Face(static_cast<Index>(random(0, static_cast<double>(surface.number_of_faces())))), {{.3, .3, .4}}};
+    const Vector n = walker.normal(from.face);
+    Vector way = CGAL::cross_product(n, Vector(random(-1, 1), random(-1, 1), random(-1, 1)));
+    const double length = random(.1, 1.5);
+    way = way * (length / std::sqrt(way.squared_length()));
+    const Vector expected = std::cos(length) * n + std::sin(length) / length * way;
+    EXPECT_LT(std::sqrt((walker.point(walker.walk(from, way)) - (CGAL::ORIGIN + expected)).squared_length()), .03);
+  }
+}
+
+TEST(Surface_walker, faces_without_area_are_harmless)
+{
+  // The middle row of the grid has no height, and one column no width.
+  const Mesh surface = grid(10, 10, false, false, [](const double i, const double j) {
+    return Point(i > 4. ? i - 1. : i, j > 5. ? j - 1. : j, 0.);
+  });
+  const Surface_walker walker(surface);
+  for(const Face f : surface.faces()) {
+    EXPECT_NEAR(walker.normal(f).z(), 1., 1e-12);
+    for(const Vector& way : {Vector(4., 1., 0.), Vector(-4., 2., 0.), Vector(0., 3., 0.), Vector(1., -5., 0.)}) {
+      const Place to = walker.walk(Place{f, {{.2, .3, .5}}}, way);
+      EXPECT_NEAR(to.coordinates[0] + to.coordinates[1] + to.coordinates[2], 1., 1e-12);
+      EXPECT_GE((std::min)({to.coordinates[0], to.coordinates[1], to.coordinates[2]}), 0.);
+    }
+  }
+}
+
+// Any mixture of flips, collapses and splits leaves a triangulation of the same topology, and can be taken back.
+TEST(Lean_triangulation, changes_are_taken_back)
+{
+  const Mesh mesh = torus(1);
+  Lean_triangulation table(mesh);
+  const auto snapshot = [&] {
+    std::vector<Index> all;
+    for(Index f = 0; f < table.face_slots(); ++f)
+      for(Index h = 4 * f; h < 4 * f + 3 && !table.is_removed_face(f); ++h)
+        all.insert(all.end(), {h, table.source(h), table.opposite(h)});
+    for(Index v = 0; v < table.vertex_slots(); ++v)
+      all.insert(all.end(), {table.valence(v), table.is_removed(v) ? 0 : table.halfedge(v)});
+    return all;
+  };
+  const auto expect_consistent = [&] {
+    std::size_t corners = 0, valences = 0;
+    for(Index v = 0; v < table.vertex_slots(); ++v) {
+      if(table.is_removed(v))
+        continue;
+      Index ring = 0;
+      table.for_each_outgoing(v, [&](const Index h) { ring += table.source(h) == v; });
+      EXPECT_EQ(ring, table.valence(v));
+      valences += ring;
+    }
+    for(Index f = 0; f < table.face_slots(); ++f)
+      for(Index h = 4 * f; h < 4 * f + 3 && !table.is_removed_face(f); ++h, ++corners) {
+        EXPECT_EQ(table.opposite(table.opposite(h)), h);
+        EXPECT_EQ(table.source(table.opposite(h)), table.target(h));
+      }
+    EXPECT_EQ(corners, valences);
+    EXPECT_EQ(corners, 6 * table.number_of_vertices());     // Euler characteristic 0
+  };
+  table.reserve_free(50);
+  const auto before = snapshot();
+  Random_numbers random;
+  table.record();
+  for(int i = 0; i < 3000; ++i) {
+    const Index f = static_cast<Index>(random(0, table.face_slots())), h = 4 * f + static_cast<Index>(random(0, 3));
+    if(table.is_removed_face(f))
+      continue;
+    const int kind = static_cast<int>(random(0, 6));
+    if(kind == 0 && table.number_of_vertices() < 660 && table.valence(table.source(h)) > 4)
+      table.split(h, table.rotate(table.rotate(h)));
+    else if(kind == 1 && table.is_collapse_legal(h))
+      table.collapse(h);
+    else if(kind > 1 && table.is_flip_legal(h))
+      table.flip(h);
+    if(i % 500 == 0)
+      expect_consistent();
+  }
+  expect_consistent();
+  EXPECT_NE(snapshot(), before);
+  table.undo_to(0);
+  EXPECT_EQ(snapshot(), before);
+}
+
+class Improvement_to_a_count : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Improvement_to_a_count, torus_from_a_spoilt_start)
+{
+  const Mesh surface = torus(1);
+  Start start;
+  spoil(surface, .3, start);
+  improve(surface, start.mesh, start.place, start.pinned, parameters_for(surface, GetParam()), go_to_the_end);
+  EXPECT_EQ(start.mesh.number_of_vertices(), GetParam());
+  expect_valid(surface, start);
+  expect_no_turned_faces(surface, start);
+  EXPECT_GT(smallest_angle(start.mesh), 30.);
+}
+
+// The start has 640; fewer, more, as many.
+INSTANTIATE_TEST_SUITE_P(Counts, Improvement_to_a_count, testing::Values(300, 600, 640, 700, 1300));
+
+TEST(Improvement, sphere_from_a_spoilt_start)
+{
+  const Mesh surface = sphere(16);
+  Start start;
+  spoil(surface, .05, start);
+  const std::size_t n = surface.number_of_vertices() - 26;
+  improve(surface, start.mesh, start.place, start.pinned, parameters_for(surface, n), go_to_the_end);
+  EXPECT_EQ(start.mesh.number_of_vertices(), n);
+  expect_valid(surface, start);
+  expect_no_turned_faces(surface, start);
+  EXPECT_GT(smallest_angle(start.mesh), 35.);
+  EXPECT_LT(percent_irregular(start.mesh), 15.);
+}
+
+TEST(Improvement, pinned_vertices_stay)
+{
+  const Mesh surface = torus(1);
+  Start start;
+  spoil(surface, .1, start);
+  std::vector<Point> pinned;
+  for(const Vertex v : start.mesh.vertices())
+    if(static_cast<Index>(v) % 97 == 0) {
+      start.pinned[v] = true;
+      pinned.push_back(start.mesh.point(v));
+    }
+  improve(surface, start.mesh, start.place, start.pinned, parameters_for(surface, 500), go_to_the_end);
+  std::vector<Point> found;
+  for(const Vertex v : start.mesh.vertices())
+    if(start.pinned[v])
+      found.push_back(start.mesh.point(v));
+  EXPECT_EQ(found, pinned);
+  expect_valid(surface, start);
+}
+
+TEST(Improvement, boundary_stays)
+{
+  const Mesh surface = plane(12);
+  Start start;
+  spoil(surface, 0., start);
+  improve(surface, start.mesh, start.place, start.pinned, parameters_for(surface, 150), go_to_the_end);
+  EXPECT_EQ(start.mesh.number_of_vertices(), 150u);
+  expect_valid(surface, start);
+  std::size_t border = 0;
+  for(const Halfedge h : start.mesh.halfedges())
+    border += start.mesh.is_border(h);
+  EXPECT_EQ(border, 48u);
+}
+
+TEST(Improvement, same_start_same_bytes)
+{
+  const Mesh surface = torus(1);
+  std::array<Start, 2> start;
+  for(Start& s : start) {
+    spoil(surface, .3, s);
+    improve(surface, s.mesh, s.place, s.pinned, parameters_for(surface, 610), go_to_the_end);
+  }
+  ASSERT_EQ(start[0].mesh.number_of_faces(), start[1].mesh.number_of_faces());
+  for(const Vertex v : start[0].mesh.vertices())
+    EXPECT_EQ(start[0].mesh.point(v), start[1].mesh.point(v));
+  for(const Face f : start[0].mesh.faces())
+    EXPECT_EQ(vertices_of(start[0].mesh, f), vertices_of(start[1].mesh, f));
+}
+
+TEST(Improvement, progress_rises_and_stops_the_work)
+{
+  const Mesh surface = torus(1);
+  Start start;
+  spoil(surface, .3, start);
+  double last = 0.;
+  improve(surface, start.mesh, start.place, start.pinned, parameters_for(surface, 640), [&](const double progress) {
+    EXPECT_GE(progress, last);
+    EXPECT_LE(progress, 1.);
+    last = progress;
+    return progress < .5;
+  });
+  EXPECT_GE(last, .5);
+  EXPECT_LT(last, 1.);
+  expect_valid(surface, start);
+}
+
+TEST(Improvement, what_the_topology_forbids_is_not_made)
+{
+  // A torus needs seven vertices.
+  const Mesh surface = torus(1);
+  Start start;
+  spoil(surface, .1, start);
+  improve(surface, start.mesh, start.place, start.pinned, parameters_for(surface, 5), go_to_the_end);
+  EXPECT_GT(start.mesh.number_of_vertices(), 6u);
+  expect_valid(surface, start);
+}
