@@ -87,7 +87,7 @@ public:
       m_state[v.idx()] = State();
     m_reached.clear();
     m_queue.clear();
-    m_least_source = infinity;
+    m_least = 0.;
   }
 
 private:
@@ -113,7 +113,7 @@ private:
   void add_source(Vertex v, double distance, double direction)
   {
     CGAL_precondition(static_cast<std::size_t>(v.idx()) < m_state.size());
-    m_least_source = (std::min)(m_least_source, distance);
+    m_least = (std::min)(m_least, distance);
     lower(static_cast<Index>(v.idx()), distance, direction);
   }
 
@@ -159,7 +159,7 @@ private:
   std::vector<State> m_state;
   std::vector<Vertex> m_reached;
   std::vector<Entry> m_queue; // a binary heap; an entry whose distance is no longer that of the vertex is dropped
-  double m_least_source = infinity;
+  double m_least = 0.; // of what a distance can be: a source that has a distance stands for one that is that far away
 };
 
 template <Front_shape shape, typename Domain, typename Settle>
@@ -241,7 +241,7 @@ Arrival Fast_marching::across_face(Index v, const Spoke& base, const Spoke& side
 // almost so and the source near.
 inline bool Fast_marching::may_come_earlier(double distance, double side_v, double side, double base) const
 {
-  return (distance - m_least_source) * (side_v * side_v + side * side - base * base) < side_v * side_v * side;
+  return (distance - m_least) * (side_v * side_v + side * side - base * base) < side_v * side_v * side;
 }
 
 // A distance that has served already drops only by more than this part of an edge. Hardly measurable, it makes
@@ -250,7 +250,7 @@ inline bool Fast_marching::is_worth(double distance, const Spoke& spoke) const
 {
   const State& state = m_state[spoke.neighbor];
   const double least_drop = state.is_settled ? 1e-6 * spoke.length + 1e-12 * std::abs(state.distance) : 0.;
-  return distance < state.distance - least_drop && distance >= m_least_source;
+  return distance < state.distance - least_drop && distance >= m_least;
 }
 
 inline void Fast_marching::arrive(const Arrival& arrival, const Spoke& spoke)

@@ -59,7 +59,8 @@ public:
   // length.
   template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
   Intrinsic_triangulation(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
-                          const Length_of_halfedge& length_of_halfedge, const std::vector<std::size_t>& frozen_faces = {})
+                          const Length_of_halfedge& length_of_halfedge,
+                          const std::vector<std::size_t>& frozen_faces = {})
   {
     Intrinsic_faces copy(index_bound(vertices(graph), vertex_index), index_bound(faces(graph), face_index));
     copy_faces(graph, vertex_index, face_index, length_of_halfedge, copy);

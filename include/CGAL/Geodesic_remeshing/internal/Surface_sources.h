@@ -194,6 +194,7 @@ private:
     m_faces.push_back(get(m_metric.face_index, face(h, mesh)));
     h = longest_of_face(h);
     const std::array<halfedge_descriptor, 3> sides = {{h, next(h, mesh), prev(h, mesh)}};
+    const auto vertex = [&](std::size_t i) { return m_metric.index(source(sides[i % 3], mesh)); };
     std::array<Planar_point, 3> corners; // of the sources of the sides
     if(m_metric.length(h) > 0.)
     {
@@ -211,8 +212,7 @@ private:
     {
       const Planar_point side = corners[(i + 1) % 3] - corners[i];
       const Planar_point way = piece.closest_to(corners[i]) - corners[i];
-      m_starts.push_back(Start{m_metric.index(source(sides[i], mesh)), std::sqrt(dot(way, way)),
-                               m_metric.index(target(sides[i], mesh)), m_metric.index(source(prev(sides[i], mesh), mesh)),
+      m_starts.push_back(Start{vertex(i), std::sqrt(dot(way, way)), vertex(i + 1), vertex(i + 2),
                                std::atan2(side.x * way.y - side.y * way.x, dot(side, way))});
     }
   }
