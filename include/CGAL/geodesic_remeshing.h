@@ -146,7 +146,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("refinement", .1);
   Working_surface working;
-  make_working_surface(surface, 1.5 * edge_length, working);
+  make_working_surface(surface, longest_working_edge * edge_length, working);
 
   clock.stage("distances", .15);
   const Intrinsic_triangulation triangulation(working.mesh);

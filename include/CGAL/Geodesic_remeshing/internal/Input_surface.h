@@ -42,7 +42,7 @@ struct Input_surface
 // made in every build, since on such input the loops of the stages need not end.
 template <class TriangleMesh, class VertexPointMap, class VertexIndexMap>
 void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const VertexIndexMap& index,
-                Input_surface<TriangleMesh>& result)
+                Input_surface<TriangleMesh>& result, bool allow_boundary = false)
 {
   Mesh& mesh = result.mesh;
   std::vector<Vertex> copy(vertices(tmesh).size());
@@ -68,7 +68,7 @@ void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const V
     {
       used[get(index, target(h, tmesh))] = 1;
       ++corners;
-      if(is_border(opposite(h, tmesh), tmesh))
+      if(!allow_boundary && is_border(opposite(h, tmesh), tmesh))
         reject("face " + std::to_string(faces_seen) + " has an edge on a boundary: surfaces with boundary are not supported yet");
     }
     if(corners != 3)

@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -84,11 +85,11 @@ private:
   void append_within(Vertex a, Vertex b, std::vector<Crossing>& out) const
   {
     const int r = m_segmentation.field_region[a], from = m_segmentation.level[a], to = m_segmentation.level[b];
-    const double u = m_segmentation.field[a], w = m_segmentation.field[b], spacing = region(r).spacing;
+    const double u = m_segmentation.field[a], w = m_segmentation.field[b];
     const int step = from < to ? 1 : -1;
     for(int k = from < to ? from : from - 1; k != (from < to ? to : to - 1); k += step)
     {
-      const double t = (k * spacing - u) / (w - u); // not finite if the ends tie: then the middle
+      const double t = (region(r).value(k) - u) / (w - u); // not finite if the ends tie: then the middle
       out.push_back(Crossing{r, k, t >= 0. && t <= 1. ? t : (t < 0. ? 0. : (t > 1. ? 1. : .5)), step > 0});
     }
   }
@@ -103,7 +104,7 @@ private:
     const int lowest = at_bottom ? level : 1, highest = at_bottom ? reg.number_of_levels : level - 1;
     const auto push = [&](int k)
     {
-      const double from_vertex = (std::min)(length, std::abs(k * reg.spacing - field));
+      const double from_vertex = (std::min)(length, std::abs(reg.value(k) - field));
       out.push_back(Crossing{r, k, start + (outwards ? from_vertex : length - from_vertex), at_bottom == outwards});
     };
     if(at_bottom == outwards)
@@ -121,7 +122,7 @@ private:
     for(int i = 1; i <= reg.number_of_levels; ++i)
     {
       const int k = downwards ? i : reg.number_of_levels + 1 - i;
-      const double from_top = (std::min)(k * reg.spacing, reg.height);
+      const double from_top = (std::min)(reg.value(k), reg.height);
       out.push_back(Crossing{r, k, start + (downwards ? from_top : reg.height - from_top), downwards});
     }
     return reg.height;
@@ -135,10 +136,12 @@ private:
 
   const Route& best_route(Vertex a, Vertex b)
   {
-    const auto key = std::make_pair(m_segmentation.field_region[a], m_segmentation.field_region[b]);
+    // Fronts never touch but at the junctions, so what is adjacent is so through junctions that were there already
+    const std::size_t time = (std::max)(m_segmentation.time[a], m_segmentation.time[b]);
+    const auto key = std::make_tuple(m_segmentation.field_region[a], m_segmentation.field_region[b], time);
     auto found = m_routes.find(key);
     if(found == m_routes.end())
-      found = m_routes.emplace(key, find_routes(key.first, key.second)).first;
+      found = m_routes.emplace(key, find_routes(std::get<0>(key), std::get<1>(key), time)).first;
     const auto& routes = found->second;
     const auto length = [&](const Route& route)
     { return length_to_end(a, route.leaves_at_bottom) + route.length_between + length_to_end(b, route.enters_at_bottom); };
@@ -147,20 +150,24 @@ private:
   }
 
   // The four ways (out at top or bottom, in at top or bottom), each by the shortest walk between, where there is one
-  std::vector<Route> find_routes(int r, int s) const
+  std::vector<Route> find_routes(int r, int s, std::size_t time) const
   {
     std::vector<Route> routes;
     for(bool out_at_bottom : {true, false})
       for(bool in_at_bottom : {false, true})
         find_walk(out_at_bottom ? region(r).bottom : region(r).top, in_at_bottom ? region(s).bottom : region(s).top,
-                  r, s, Route{out_at_bottom, in_at_bottom, {}, 0.}, routes);
-    if(routes.empty()) // different components never share an edge; only for safety
-      routes.push_back(Route{true, true, {}, 0.});
+                  r, s, time, Route{out_at_bottom, in_at_bottom, {}, 0.}, routes);
+    if(routes.empty() && time < m_at_junction.size())
+      return find_routes(r, s, m_at_junction.size());
+    CGAL_assertion(!routes.empty()); // an edge does not join different components
     return routes;
   }
 
-  void find_walk(std::size_t from, std::size_t to, int r, int s, Route route, std::vector<Route>& routes) const
+  void find_walk(std::size_t from, std::size_t to, int r, int s, std::size_t time, Route route,
+                 std::vector<Route>& routes) const
   {
+    if(from >= time || to >= time)
+      return;
     struct Reached { double length; int through; std::size_t before; };
     std::map<std::size_t, Reached> reached;
     using Entry = std::pair<double, std::size_t>;
@@ -175,9 +182,9 @@ private:
         continue;
       for(int q : m_at_junction[top.second])
       {
-        if(q == r || q == s)
-          continue;
         const std::size_t other = region(q).top == top.second ? region(q).bottom : region(q).top;
+        if(q == r || q == s || other >= time)
+          continue;
         const double length = top.first + region(q).height;
         const auto known = reached.find(other);
         if(known != reached.end() && known->second.length <= length)
@@ -198,7 +205,7 @@ private:
 
   const Segmentation& m_segmentation;
   std::vector<std::vector<int>> m_at_junction;
-  std::map<std::pair<int, int>, std::vector<Route>> m_routes;
+  std::map<std::tuple<int, int, std::size_t>, std::vector<Route>> m_routes;
 };
 
 } // namespace internal

@@ -45,6 +45,7 @@ public:
     m_result.field_region.assign(n, -1);
     m_result.field.assign(n, 0.);
     m_result.level.assign(n, 0);
+    m_result.time.assign(n, 0);
   }
 
   const Segmentation& result() const { return m_result; }
@@ -188,6 +189,7 @@ private:
   void own(Vertex v, int r, double field)
   {
     m_result.region[v] = r;
+    m_result.time[v] = m_result.regions[r].bottom;
     if(m_result.field_region[v] >= 0)
       return;
     m_result.field_region[v] = r;
@@ -208,6 +210,7 @@ private:
   {
     const Region& region = m_result.regions[above];
     m_result.region[v] = splits ? static_cast<int>(m_result.regions.size()) : beside;
+    m_result.time[v] = m_result.number_of_junctions;
     m_fronts.take(v);
     if(m_result.field_region[v] >= 0)
       return;
@@ -332,7 +335,11 @@ private:
       m_result.level[v] = level_of(m_result.regions[r], m_result.field[v]);
     }
     near.insert(near.begin(), m_open[r].waiting.begin(), m_open[r].waiting.end());
-    m_fronts.sweep(near, [&](Vertex v) { m_result.region[v] = r; });
+    m_fronts.sweep(near, [&](Vertex v)
+    {
+      m_result.region[v] = r;
+      m_result.time[v] = m_result.regions[r].bottom;
+    });
     m_open[r].waiting.clear();
     for(Vertex v : near)
       if(!m_fronts.is_taken(v))
@@ -495,6 +502,7 @@ private:
     for(Vertex v : m_open[r].waiting)
     {
       m_result.region[v] = r;
+      m_result.time[v] = region.bottom;
       m_fronts.take(v);
     }
     region.number_of_levels = (std::max)(0, deepest - 1);

@@ -41,9 +41,12 @@ struct Region
   Vertex centre;                      // the maximum of a leaf, the root, or the saddle where the fronts above meet
   double height = 0.;                 // from top to bottom; zero for a region that degenerates to its top
   double spacing = 0.;                // of its curves: C_d, or a little less or more in the root region
-  int number_of_levels = 0;           // curves at spacing, 2 * spacing, ..., number_of_levels * spacing from the top
+  int number_of_levels = 0;           // curves at spacing, 2 * spacing, ..., number_of_levels * spacing from the top,
+  std::vector<double> values;         // or at these distances, if there are any
   std::size_t top = 0, bottom = 0;    // the junctions where the region begins and ends
   int part_of = -1;                   // of a leaf that degenerates to its centre: the region that this counts to, if any
+
+  double value(int level) const { return values.empty() ? level * spacing : values[level - 1]; }
 };
 
 // The regions as a graph: junctions are points (a maximum, a saddle, the root), regions are arcs between them. On a
@@ -57,6 +60,7 @@ struct Segmentation
   std::vector<int> region;             // the region that took it; these sets are discs and annuli
   std::vector<int> field_region;       // the region that `field` counts in; differs from `region` only where a front folds
   std::vector<double> field;           // the distance from the top of `field_region`
+  std::vector<std::size_t> time;       // the number of junctions there were when it was taken
   std::vector<int> level;              // it lies inside the curves number `level`, `level + 1`, ... of `field_region`
 
   std::vector<std::vector<Vertex>> bridges; // the spectacles' middles: from front to front through a saddle

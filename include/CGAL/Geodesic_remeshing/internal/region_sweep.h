@@ -266,6 +266,7 @@ inline Segmentation one_region(const Mesh& mesh, const std::vector<double>& dist
   result.regions.push_back(region);
   result.region.assign(mesh.number_of_vertices(), 0);
   result.field_region = result.region;
+  result.time.assign(mesh.number_of_vertices(), 1);
   result.field = distance;
   for(double d : distance)
     result.level.push_back((std::max)(1, static_cast<int>(std::ceil(d / region.spacing - 1e-9))));

@@ -144,6 +144,10 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
   }
 }
 
+// The longest edge of the working surface, in edge lengths of the mesh to be: shorter ones were measured to take more time for
+// no better a mesh, longer ones to bend the curves.
+constexpr double longest_working_edge = 1.5;
+
 inline void make_working_surface(const Mesh& surface, double maximum_edge_length, Working_surface& working)
 {
   working.mesh = surface;

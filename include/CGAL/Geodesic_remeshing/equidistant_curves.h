@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_EQUIDISTANT_CURVES_H
+#define CGAL_GEODESIC_REMESHING_EQUIDISTANT_CURVES_H
+
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
+#include <CGAL/Geodesic_remeshing/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+
+/*!
+ * \ingroup PkgGeodesicRemeshingRegionsRef
+ * A curve on which a function on a surface has one value: an ordered polyline over points of edges.
+ * @tparam TriangleMesh the type of the mesh
+ * @tparam Point its point type
+ */
+template <class TriangleMesh, class Point>
+struct Equidistant_curve
+{
+  double value;              ///< of the function on the curve
+  bool is_closed;            ///< a loop, whose last point is joined to its first; else an arc from boundary to boundary
+  std::vector<Point> points; ///< in order, with the smaller values on the left hand side
+  /// of each point the halfedge it lies on, and where: 0 at the source, 1 at the target
+  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>> places;
+};
+
+namespace internal {
+
+// One region, whose field is the function and whose curves are at the values
+inline Segmentation levels_of_function(std::vector<double> function, const std::vector<double>& values)
+{
+  Segmentation result;
+  result.number_of_junctions = 2;
+  Region region;
+  region.values = values;
+  region.number_of_levels = static_cast<int>(values.size());
+  region.bottom = 1;
+  result.regions.push_back(region);
+  result.region.assign(function.size(), 0);
+  result.field_region = result.region;
+  for(double d : function)
+    result.level.push_back(1 + static_cast<int>(std::lower_bound(values.begin(), values.end(), d) - values.begin()));
+  result.field = std::move(function);
+  return result;
+}
+
+template <class TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
+halfedge_of_input(const TriangleMesh& tmesh, const Input_surface<TriangleMesh>& input, Halfedge h)
+{
+  const bool is_border = input.mesh.is_border(h);
+  const Halfedge inner = is_border ? input.mesh.opposite(h) : h;
+  auto g = halfedge(input.face_of[input.mesh.face(inner)], tmesh);
+  while(target(g, tmesh) != input.vertex_of[input.mesh.target(inner)])
+    g = next(g, tmesh);
+  return is_border ? opposite(g, tmesh) : g;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgGeodesicRemeshingRegionsRef
+ *
+ * \brief traces the curves on which a piecewise linear function, such as a geodesic distance, has given values (section 3 of the paper).
+ *
+ * All values are traced in one pass. A vertex whose value is exactly that of a curve counts as lower, so that each triangle is crossed twice or not at all: every curve is a loop,
+ * or an arc from boundary to boundary, whatever plateaus the function has.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ * @tparam VertexValueMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+ *         a number type as value type
+ * @tparam OutputIterator a model of `OutputIterator` that accepts `Equidistant_curve<TriangleMesh, Point>`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param tmesh a triangle mesh, with or without boundary
+ * @param vertex_value_map the values of the function, for example filled by `geodesic_distances()`
+ * @param values the values to trace, in ascending order
+ * @param curves takes the curves, in the order of their values
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
+ *                           `num_vertices(tmesh) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @throws std::invalid_argument if the mesh is empty or not triangulated, a coordinate or value of the function is not finite, or
+ *         the values are not in ascending order
+ * @return `curves` after the last curve
+ *
+ * \cgalBigO{n log m + k} for `n` vertices, `m` values and `k` points of curves.
+ */
+template <class TriangleMesh, class VertexValueMap, class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vertex_value_map,
+                                  const std::vector<double>& values, OutputIterator curves,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  using namespace internal;
+  const auto points = vertex_points_of(tmesh, np);
+  using User_point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
+  if(!std::is_sorted(values.begin(), values.end()))
+    reject("the values of the curves must be in ascending order");
+  Input_surface<TriangleMesh> input;
+  copy_input(tmesh, points, vertex_indices_of(tmesh, np), input, true);
+  std::vector<double> function;
+  for(auto v : input.vertex_of)
+  {
+    function.push_back(CGAL::to_double(get(vertex_value_map, v)));
+    if(!std::isfinite(function.back()))
+      reject("the value at vertex " + std::to_string(function.size() - 1) + " is not finite");
+  }
+  const Segmentation levels = levels_of_function(std::move(function), values);
+  const Level_curves traced = Curve_tracer(input.mesh, levels).trace();
+  for(const Level_curve& curve : traced.curves)
+  {
+    Equidistant_curve<TriangleMesh, User_point> result{values[curve.level - 1], curve.is_closed, {}, {}};
+    for(std::size_t i = curve.begin; i < curve.end; ++i)
+    {
+      const Point p = point_at(input.mesh, traced.points[i]);
+      result.points.emplace_back(p.x(), p.y(), p.z());
+      result.places.emplace_back(halfedge_of_input(tmesh, input, traced.points[i].halfedge), traced.points[i].position);
+    }
+    *curves++ = std::move(result);
+  }
+  return curves;
+}
+
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_EQUIDISTANT_CURVES_H
