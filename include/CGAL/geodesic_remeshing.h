@@ -140,18 +140,16 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const double edge_length = edge_length_for(area(surface), n);
   const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
 
-  clock.stage("root", .05);
-  const std::vector<Vertex> roots = find_roots(surface);
-  check_number_of_vertices(n, fewest_vertices(surface, roots));
-
-  clock.stage("refinement", .1);
+  clock.stage("refinement", .05);
   Working_surface working;
   make_working_surface(surface, longest_working_edge * edge_length, working);
 
-  clock.stage("distances", .15);
+  clock.stage("distances", .1);
   const Intrinsic_triangulation triangulation(working.mesh);
   Fast_marching marching(triangulation);
-  const std::vector<double> distance = distances_from(roots, working.mesh, marching);
+  const std::vector<Vertex> roots = march_from_roots(surface, working.mesh, marching);
+  const std::vector<double> distance = distances_in(marching, working.mesh);
+  check_number_of_vertices(n, fewest_vertices(working.mesh, roots));
   keep_working_surface(working.mesh, distance, kept);
 
   clock.stage("regions", .2);

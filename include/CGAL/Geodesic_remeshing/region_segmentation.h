@@ -143,12 +143,12 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
     reject("the curve distance must be positive and finite");
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, vertex_points_of(tmesh, np), vertex_indices_of(tmesh, np), input);
-  const std::vector<Vertex> roots = find_roots(input.mesh);
   Working_surface working;
   make_working_surface(input.mesh, longest_working_edge * curve_distance / std::sqrt(.75), working);
   const Intrinsic_triangulation triangulation(working.mesh);
   Fast_marching marching(triangulation);
-  const std::vector<double> distance = distances_from(roots, working.mesh, marching);
+  const std::vector<Vertex> roots = march_from_roots(input.mesh, working.mesh, marching);
+  const std::vector<double> distance = distances_in(marching, working.mesh);
   const Segmentation segmentation = segment(working.mesh, marching, distance, roots, curve_distance, true);
 
   const std::vector<int> regions = regions_of_input_faces(input.mesh, working, segmentation);

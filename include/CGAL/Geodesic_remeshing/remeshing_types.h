@@ -75,8 +75,8 @@ public:
  */
 struct Default_visitor
 {
-  /// called when a stage begins: `"input"`, `"root"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`,
-  /// `"strips"`, `"improvement"`, `"output"`
+  /// called when a stage begins: `"input"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`, `"strips"`,
+  /// `"improvement"`, `"output"`
   void stage(const std::string& /* name */) {}
   /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work
   bool progress(double /* done */) { return true; }

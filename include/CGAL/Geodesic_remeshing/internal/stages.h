@@ -27,12 +27,19 @@ namespace internal {
 
 // The small steps between the stages, so that the front door holds nothing but their order.
 
-// The root of each connected component. On the surface as it came in: refined, it would cost more and change nothing.
-inline std::vector<Vertex> find_roots(const Mesh& surface)
+// The root of each connected component (paper, section 4), and the distances from them on the working surface in `marching`. Where the
+// refinement has added many vertices the roots are sought on the surface as it came in: it costs less and finds the same.
+inline std::vector<Vertex> march_from_roots(const Mesh& surface, const Mesh& working, Fast_marching& marching)
 {
+  if(working.number_of_vertices() <= 2 * surface.number_of_vertices())
+    return farthest_roots(working, marching);
   const Intrinsic_triangulation triangulation(surface);
-  Fast_marching marching(triangulation);
-  return farthest_roots(surface, marching);
+  Fast_marching on_surface(triangulation);
+  const std::vector<Vertex> roots = farthest_roots(surface, on_surface);
+  for(Vertex r : roots)
+    marching.add_source(r);
+  marching.march(Front_shape::circular);
+  return roots;
 }
 
 // The fewest vertices that every component together needs
@@ -64,12 +71,8 @@ inline std::size_t fewest_vertices(const Mesh& surface, const std::vector<Vertex
   return sum;
 }
 
-// The distance of the vertices of the working surface from the root of their component
-inline std::vector<double> distances_from(const std::vector<Vertex>& roots, const Mesh& mesh, Fast_marching& marching)
+inline std::vector<double> distances_in(const Fast_marching& marching, const Mesh& mesh)
 {
-  for(Vertex r : roots)
-    marching.add_source(r);
-  marching.march(Front_shape::circular);
   std::vector<double> result;
   result.reserve(mesh.number_of_vertices());
   for(Vertex v : mesh.vertices())
