@@ -53,6 +53,7 @@ public:
   Remeshed_surface(const Surface_walker& walker, const Mesh& mesh, const Mesh::Property_map<Vertex, Place>& place,
                    const Mesh::Property_map<Vertex, bool>& pinned);
 
+  const Surface_walker& walker() const { return walker_; }
   Lean_triangulation& connectivity() { return connectivity_; }
   const Lean_triangulation& connectivity() const { return connectivity_; }
 
@@ -67,7 +68,8 @@ public:
     spots_[v] = spot;
   }
   Spot spot_after(Index v, const Vector& displacement) const;
-  void unpin(const Index v) { pinned_[v] = false; }
+  Spot spot_at_vertex(Index x) const;           // of the input
+  void pin(const Index v) { pinned_[v] = true; }
   void reserve_free(Index number_of_splits);     // room for so many new vertices
 
   // A trial: from `record()` on changes can be taken back, until `forget()`, which keeps those that were not.
@@ -122,6 +124,15 @@ inline Remeshed_surface::Spot Remeshed_surface::spot_after(const Index v, const 
 {
   const Place place = walker_.walk(spots_[v].place, displacement);
   return {walker_.point(place), place, walker_.normal(place.face)};
+}
+
+// Such a vertex is sought out as a tip, where the normal of one face says nothing.
+inline Remeshed_surface::Spot Remeshed_surface::spot_at_vertex(const Index x) const
+{
+  const Index h = walker_.triangulation().halfedge(x);
+  Place place{Face(Lean_triangulation::face(h)), {{0., 0., 0.}}};
+  place.coordinates[h & 3] = 1.;
+  return {walker_.point(place), place, Vector(0., 0., 0.)};
 }
 
 inline void Remeshed_surface::reserve_free(const Index number_of_splits)

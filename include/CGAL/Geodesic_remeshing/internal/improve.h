@@ -12,11 +12,12 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
-#include <CGAL/Geodesic_remeshing/internal/defect_moves.h>
-#include <CGAL/Geodesic_remeshing/internal/polish.h>
+#include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
+#include <CGAL/Geodesic_remeshing/internal/Polish.h>
+#include <CGAL/Geodesic_remeshing/internal/Tip_recovery.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
-#include <CGAL/Geodesic_remeshing/internal/vertex_count.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_count.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,6 +48,15 @@ bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& para
       return false;
   }
   return true;
+}
+
+// Before the defects are removed, when a lost tip is still near, and once more after.
+inline void recover_tips(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
+{
+  // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
+  constexpr double tolerance = .3;
+  Tip_recovery(remeshed).run(tolerance * parameters.edge_length);
+  relax(remeshed);
 }
 
 // Sweeps of defect moves until they gain nothing. The short ways come first: a pair that glides far leaves the mesh
@@ -83,22 +93,38 @@ inline void mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
   }
 }
 
+template <class Progress>
+void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
+{
+  constexpr int polishings = 3;
+  const double share = parameters.use_defect_moves ? .3 : .9;
+  if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }))
+    return;
+  recover_tips(remeshed, parameters);
+  mend_angles(remeshed, parameters);
+  if(parameters.use_defect_moves &&
+     !remove_defects(remeshed, [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
+    return;
+  recover_tips(remeshed, parameters);
+  for(int round = 0; round < polishings && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
+  go_on(1.);
+}
+
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
 // vertices the one asked for. The pinned vertices stay where they are, the topology stays what it is, every vertex stays on
 // the surface. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
 // a valid mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
+// Without iterations only the number of vertices is set, to show what the stages before made.
 template <class Progress>
 void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
              Mesh::Property_map<Vertex, bool> pinned, const Improvement_parameters& parameters, Progress&& go_on)
 {
   const Surface_walker walker(surface);
   Remeshed_surface remeshed(walker, out, place, pinned);
-  const double share = parameters.use_defect_moves ? .3 : 1.;
-  const bool go = make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); });
-  mend_angles(remeshed, parameters);
-  if(go && parameters.use_defect_moves)
-    remove_defects(remeshed, [&](const double progress) { return go_on(share + (1. - share) * progress); });
-  for(int round = 0; round < 3 && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
+  if(parameters.number_of_iterations == 0)
+    Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
+  else
+    improve(remeshed, parameters, go_on);
   remeshed.write_back(out, place, pinned);
 }
 

@@ -35,8 +35,10 @@ public:
   // Treats every triangle worse than the given badness once, the worst first. Returns the number of them.
   std::size_t run(double badness, bool do_collapse);
 
-private:
+  // Moves a vertex so that the worst triangle around it gets better.
   bool better_vertex(Index v);
+
+private:
   bool better_by_flip(Index h);
   bool better_by_collapse(Index h);
   double badness_around(const std::array<Index, 4>& vertices) const;

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
+
+#include <CGAL/Geodesic_remeshing/internal/Polish.h>
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  const Vector ab = b - a, ap = p - a;
+  const double length = ab.squared_length();
+  const double t = length > 0. ? (std::min)((std::max)(ap * ab / length, 0.), 1.) : 0.;
+  return (ap - t * ab).squared_length();
+}
+
+inline double squared_distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c)
+{
+  const Vector normal = cross_product(b - a, c - a);
+  const auto is_left = [&](const Point& from, const Point& to) { return cross_product(to - from, p - from) * normal >= 0.; };
+  if(normal.squared_length() > 0. && is_left(a, b) && is_left(b, c) && is_left(c, a))
+    return CGAL::square((p - a) * normal) / normal.squared_length();
+  return (std::min)({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
+                     squared_distance_to_segment(p, c, a)});
+}
+
+// Steps towards the centre of the neighbours shorten tips: horns, ears, claws, and dents as well. Where a vertex of the input
+// is farther from the triangulation than its neighbours and than a tolerance, the nearest vertex is sent there and stays,
+// provided that the triangles around can be made good.
+class Tip_recovery
+{
+public:
+  using Index = Lean_triangulation::Index;
+
+  explicit Tip_recovery(Remeshed_surface& remeshed)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), input_(remeshed.walker().triangulation()) {}
+
+  // Returns the number of vertices sent.
+  std::size_t run(double tolerance);
+
+private:
+  const Point& input_point(const Index x) const { return remeshed_.walker().surface().point(Vertex(x)); }
+  void find_nearest();
+  bool offer(Index x, Index v);
+  double ring_distance(Index x, Index v) const;
+  bool is_tip(Index x) const;
+  Index vertex_to_send(Index x) const;
+  bool send(Index v, Index x);
+
+  Remeshed_surface& remeshed_;
+  Lean_triangulation& table_;
+  const Lean_triangulation& input_;
+  std::vector<Index> nearest_;             // for each input vertex a vertex of the triangulation
+  std::vector<double> squared_distance_;   // to that vertex; then to the triangles around it
+};
+
+inline bool Tip_recovery::offer(const Index x, const Index v)
+{
+  const double distance = CGAL::squared_distance(input_point(x), remeshed_.spot(v).point);
+  if(!(distance < squared_distance_[x]))
+    return false;
+  squared_distance_[x] = distance;
+  nearest_[x] = v;
+  return true;
+}
+
+// Along the surface, from the faces where the vertices are: what is near in space but on another sheet does not count.
+inline void Tip_recovery::find_nearest()
+{
+  nearest_.assign(input_.vertex_slots(), Lean_triangulation::none);
+  squared_distance_.assign(input_.vertex_slots(), infinity);
+  std::vector<Index> queue;
+  for(Index v = 0; v < table_.vertex_slots(); ++v) {
+    if(table_.is_removed(v))
+      continue;
+    const Index f = remeshed_.spot(v).place.face;
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+      if(offer(input_.source(h), v))
+        queue.push_back(input_.source(h));
+  }
+  for(std::size_t i = 0; i < queue.size(); ++i) {
+    const Index v = nearest_[queue[i]];
+    input_.for_each_neighbor(queue[i], [&](const Index y) {
+      if(offer(y, v))
+        queue.push_back(y);
+    });
+  }
+}
+
+inline double Tip_recovery::ring_distance(const Index x, const Index v) const
+{
+  double least = infinity;
+  table_.for_each_outgoing(v, [&](const Index h) {
+    least = (std::min)(least, squared_distance_to_triangle(input_point(x), remeshed_.spot(v).point,
+                                                           remeshed_.spot(table_.target(h)).point,
+                                                           remeshed_.spot(table_.apex(h)).point));
+  });
+  return least;
+}
+
+// Farther than all neighbours; the index decides among equals.
+inline bool Tip_recovery::is_tip(const Index x) const
+{
+  bool is_farthest = true;
+  input_.for_each_neighbor(x, [&](const Index y) {
+    is_farthest = is_farthest && (squared_distance_[y] < squared_distance_[x] ||
+                                  (!(squared_distance_[x] < squared_distance_[y]) && x < y));
+  });
+  return is_farthest;
+}
+
+inline Tip_recovery::Index Tip_recovery::vertex_to_send(const Index x) const
+{
+  const Index v = nearest_[x];
+  if(!remeshed_.is_fixed(v))
+    return v;
+  Index best = Lean_triangulation::none;
+  double least = infinity;
+  table_.for_each_neighbor(v, [&](const Index w) {
+    const double distance = CGAL::squared_distance(input_point(x), remeshed_.spot(w).point);
+    if(!remeshed_.is_fixed(w) && distance < least) {
+      least = distance;
+      best = w;
+    }
+  });
+  return best;
+}
+
+inline bool Tip_recovery::send(const Index v, const Index x)
+{
+  static const double good = badness_of_angle(30.);
+  std::vector<Index> around;
+  table_.for_each_neighbor(v, [&](const Index w) { around.push_back(w); });
+  const auto badness = [&] {
+    double sum = remeshed_.ring_badness(v);
+    for(const Index w : around)
+      sum = add_badness(sum, remeshed_.ring_badness(w));
+    return sum;
+  };
+  const double before = badness();
+  remeshed_.record();
+  remeshed_.put(v, remeshed_.spot_at_vertex(x));
+  Polish polish(remeshed_);
+  for(int round = 0; round < 2; ++round)
+    for(const Index w : around)
+      polish.better_vertex(w);
+  const bool is_good = badness() <= (std::max)(before, good);
+  if(is_good)
+    remeshed_.pin(v);
+  else
+    remeshed_.undo_to({0, 0});
+  remeshed_.forget();
+  return is_good;
+}
+
+inline std::size_t Tip_recovery::run(const double tolerance)
+{
+  find_nearest();
+  const double limit = tolerance * tolerance;
+  for(Index x = 0; x < input_.vertex_slots(); ++x)
+    if(nearest_[x] != Lean_triangulation::none && squared_distance_[x] > limit)
+      squared_distance_[x] = (std::min)(squared_distance_[x], ring_distance(x, nearest_[x]));
+  std::size_t sent = 0;
+  for(Index x = 0; x < input_.vertex_slots(); ++x) {
+    if(nearest_[x] == Lean_triangulation::none || !(squared_distance_[x] > limit) || !is_tip(x))
+      continue;
+    // The nearest vertex need not be one of the nearest triangle.
+    double distance = squared_distance_[x];
+    table_.for_each_neighbor(nearest_[x], [&](const Index w) { distance = (std::min)(distance, ring_distance(x, w)); });
+    const Index v = distance > limit ? vertex_to_send(x) : Lean_triangulation::none;
+    if(v != Lean_triangulation::none && send(v, x))
+      ++sent;
+  }
+  return sent;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
