@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -96,6 +97,7 @@ private:
     double distance = infinity;
     double direction = infinity; // of the way back, counterclockwise from the first spoke; infinite if unknown
     bool is_settled = false;     // left the queue with this distance
+    unsigned char number_of_settlings = 0; // as far as they can be counted
   };
 
   struct Entry
@@ -177,6 +179,7 @@ void Fast_marching::march_shape(const Domain& domain, Settle& settle, double max
     if(!is_current)
       continue;
     state.is_settled = true;
+    state.number_of_settlings += state.number_of_settlings < (std::numeric_limits<unsigned char>::max)() ? 1 : 0;
     spread_from<shape>(top.vertex, domain, maximum_distance);
   }
 }
@@ -244,13 +247,20 @@ inline bool Fast_marching::may_come_earlier(double distance, double side_v, doub
   return (distance - m_least) * (side_v * side_v + side * side - base * base) < side_v * side_v * side;
 }
 
-// A distance that has served already drops only by more than this part of an edge. Hardly measurable, it makes
-// certain that the dropping ends, even if fronts were to lower each other in turn.
+// A distance that has served already must drop by a part of it to be worth the trouble, each time by a larger one. What is lost is
+// hardly measurable, and the dropping ends, even where fronts in faces without area lower each other in turn.
 inline bool Fast_marching::is_worth(double distance, const Spoke& spoke) const
 {
+  constexpr double least_part = 1e-9;
+  constexpr int most_doublings = 20;
+
   const State& state = m_state[spoke.neighbor];
-  const double least_drop = state.is_settled ? 1e-6 * spoke.length + 1e-12 * std::abs(state.distance) : 0.;
-  return distance < state.distance - least_drop && distance >= m_least;
+  if(!(distance >= m_least))
+    return false;
+  if(state.number_of_settlings == 0)
+    return distance < state.distance;
+  const double part = least_part * double(1 << (std::min)(int(state.number_of_settlings), most_doublings));
+  return distance < state.distance - part * (state.distance - m_least);
 }
 
 inline void Fast_marching::arrive(const Arrival& arrival, const Spoke& spoke)
