@@ -20,6 +20,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -72,24 +73,35 @@ Mesh read_model(const std::string& model)
   return mesh;
 }
 
-Result measure(const Task& task, const Mesh& input, const benchmark::Remesher& remesher, int repeats)
+// All remeshers on one model. They take turns, so that what else the machine does meets all of them.
+std::vector<Result> measure(const Task& task, int repeats)
 {
-  Result result;
-  result.model = task.model;
-  result.method = remesher.name;
-  const benchmark::Run run = remesher.prepare(input, task.number_of_vertices);
-  Mesh output;
+  const Mesh input = read_model(task.model);
+  const std::vector<benchmark::Remesher> remeshers = benchmark::all_remeshers();
+  std::vector<benchmark::Run> runs;
+  for(const auto& remesher : remeshers)
+    runs.push_back(remesher.prepare(input, task.number_of_vertices));
+
+  std::vector<Result> results(remeshers.size());
+  std::vector<Mesh> outputs(remeshers.size());
   for(int repeat = 0; repeat < repeats; ++repeat)
+    for(std::size_t i = 0; i < runs.size(); ++i)
+    {
+      std::cerr << task.model << ": " << remeshers[i].name << "\n";
+      CGAL::Timer timer; // user time of this process
+      timer.start();
+      outputs[i] = runs[i]();
+      timer.stop();
+      results[i].seconds = repeat == 0 ? timer.time() : (std::min)(results[i].seconds, timer.time());
+    }
+  for(std::size_t i = 0; i < results.size(); ++i)
   {
-    CGAL::Timer timer; // user time of this process
-    timer.start();
-    output = run();
-    timer.stop();
-    result.seconds = repeat == 0 ? timer.time() : (std::min)(result.seconds, timer.time());
+    results[i].model = task.model;
+    results[i].method = remeshers[i].name;
+    results[i].quality = mesh_quality::measure_quality(outputs[i]);
+    results[i].distance = mesh_quality::measure_distance(input, outputs[i]);
   }
-  result.quality = mesh_quality::measure_quality(output);
-  result.distance = mesh_quality::measure_distance(input, output);
-  return result;
+  return results;
 }
 
 void write_files(const std::string& prefix, const std::vector<Result>& results)
@@ -113,14 +125,8 @@ int main(int argc, char* argv[])
     const Options options = read_options(argc, argv);
     std::vector<Result> results;
     for(const Task& task : options.tasks)
-    {
-      const Mesh input = read_model(task.model);
-      for(const auto& remesher : benchmark::all_remeshers())
-      {
-        std::cerr << task.model << ": " << remesher.name << "\n";
-        results.push_back(measure(task, input, remesher, options.repeats));
-      }
-    }
+      for(Result& result : measure(task, options.repeats))
+        results.push_back(std::move(result));
     benchmark::write_markdown(std::cout, results);
     std::cout << "\nMedians over the models:\n\n";
     benchmark::write_medians(std::cout, results);
