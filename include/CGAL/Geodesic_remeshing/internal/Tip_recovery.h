@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
 
+#include <CGAL/Geodesic_remeshing/internal/Nearest_vertices.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
@@ -57,8 +58,6 @@ public:
 
 private:
   const Point& input_point(const Index x) const { return remeshed_.walker().surface().point(Vertex(x)); }
-  void find_nearest();
-  bool offer(Index x, Index v);
   double ring_distance(Index x, Index v) const;
   bool is_tip(Index x) const;
   Index vertex_to_send(Index x) const;
@@ -67,42 +66,9 @@ private:
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
   const Lean_triangulation& input_;
-  std::vector<Index> nearest_;             // for each input vertex a vertex of the triangulation
-  std::vector<double> squared_distance_;   // to that vertex; then to the triangles around it
+  std::vector<Index> nearest_;
+  std::vector<double> squared_distance_;   // of each input vertex from its nearest vertex; then from the triangles around that
 };
-
-inline bool Tip_recovery::offer(const Index x, const Index v)
-{
-  const double distance = CGAL::squared_distance(input_point(x), remeshed_.spot(v).point);
-  if(!(distance < squared_distance_[x]))
-    return false;
-  squared_distance_[x] = distance;
-  nearest_[x] = v;
-  return true;
-}
-
-// Along the surface, from the faces where the vertices are: what is near in space but on another sheet does not count.
-inline void Tip_recovery::find_nearest()
-{
-  nearest_.assign(input_.vertex_slots(), Lean_triangulation::none);
-  squared_distance_.assign(input_.vertex_slots(), infinity);
-  std::vector<Index> queue;
-  for(Index v = 0; v < table_.vertex_slots(); ++v) {
-    if(table_.is_removed(v))
-      continue;
-    const Index f = remeshed_.spot(v).place.face;
-    for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      if(offer(input_.source(h), v))
-        queue.push_back(input_.source(h));
-  }
-  for(std::size_t i = 0; i < queue.size(); ++i) {
-    const Index v = nearest_[queue[i]];
-    input_.for_each_neighbor(queue[i], [&](const Index y) {
-      if(offer(y, v))
-        queue.push_back(y);
-    });
-  }
-}
 
 inline double Tip_recovery::ring_distance(const Index x, const Index v) const
 {
@@ -172,7 +138,9 @@ inline bool Tip_recovery::send(const Index v, const Index x)
 
 inline std::size_t Tip_recovery::run(const double tolerance)
 {
-  find_nearest();
+  Nearest_vertices nearest(remeshed_);
+  nearest_.swap(nearest.vertex);
+  squared_distance_.swap(nearest.squared_distance);
   const double limit = tolerance * tolerance;
   for(Index x = 0; x < input_.vertex_slots(); ++x)
     if(nearest_[x] != Lean_triangulation::none && squared_distance_[x] > limit)

@@ -10,14 +10,15 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 
-#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
-#include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Tip_recovery.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_count.h>
+#include <CGAL/Geodesic_remeshing/internal/quadric_relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
-#include <CGAL/Geodesic_remeshing/internal/Vertex_count.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -56,7 +57,7 @@ inline void recover_tips(Remeshed_surface& remeshed, const Improvement_parameter
   // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
   constexpr double tolerance = .3;
   Tip_recovery(remeshed).run(tolerance * parameters.edge_length);
-  relax(remeshed);
+  relax_with_quadrics(remeshed);
 }
 
 // Sweeps of defect moves until they gain nothing. The short ways come first: a pair that glides far leaves the mesh
@@ -71,7 +72,7 @@ bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
     const int gain = moves.sweep(depth);
     for(int round = 0; round < 2; ++round) {
       flip_to_regular_valences(remeshed);
-      relax(remeshed);
+      relax_with_quadrics(remeshed);
     }
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;

@@ -27,12 +27,11 @@ inline double tolerated_badness()
   return badness;
 }
 
-// Moves a vertex towards the centre of its neighbours: whole, or if this spoils the ring by .4 or .16 of the way.
-inline bool relax_vertex(Remeshed_surface& remeshed, const Lean_triangulation::Index v)
+// Moves a vertex the given way: whole, or if this spoils the ring by .4 or .16 of it.
+inline bool try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index v, Vector way)
 {
   const Remeshed_surface::Spot old = remeshed.spot(v);
   const double limit = (std::max)(remeshed.ring_badness(v), tolerated_badness());
-  Vector way = remeshed.way_to_center_of_neighbors(v);
   for(int trial = 0; trial < 3; ++trial, way = .4 * way) {
     remeshed.put(v, remeshed.spot_after(v, way));
     if(remeshed.ring_badness(v) <= limit)
@@ -40,6 +39,11 @@ inline bool relax_vertex(Remeshed_surface& remeshed, const Lean_triangulation::I
     remeshed.put(v, old);
   }
   return false;
+}
+
+inline bool relax_vertex(Remeshed_surface& remeshed, const Lean_triangulation::Index v)
+{
+  return try_way(remeshed, v, remeshed.way_to_center_of_neighbors(v));
 }
 
 inline void relax(Remeshed_surface& remeshed)
