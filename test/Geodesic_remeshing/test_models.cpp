@@ -1,0 +1,225 @@
+#include "test_support.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/geodesic_remeshing.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The guarantees on the closed models of CGAL's data package.
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using CGAL::geodesic_remeshing;
+using CGAL::Geodesic_remeshing::Stage_results;
+using support::Face;
+using support::Mesh;
+using support::Point;
+using support::Topology;
+using support::Vertex;
+
+namespace {
+
+std::string path_of(const std::string& model) { return CGAL::data_file_path("meshes/" + model + ".off"); }
+
+Mesh read_model(const std::string& model)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_OFF(path_of(model), mesh))
+    throw std::runtime_error("cannot read " + path_of(model));
+  PMP::triangulate_faces(mesh); // two of the models are of quadrilaterals
+  return mesh;
+}
+
+double diagonal_of(const Mesh& mesh)
+{
+  const auto box = PMP::bbox(mesh);
+  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
+                   CGAL::square(box.zmax() - box.zmin()));
+}
+
+double largest_distance(const Mesh& mesh, const Mesh& surface)
+{
+  using Kernel = CGAL::Kernel_traits<Point>::Kernel;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>> tree(faces(surface).begin(), faces(surface).end(), surface);
+  double largest = 0.;
+  for(Vertex v : mesh.vertices())
+    largest = (std::max)(largest, tree.squared_distance(mesh.point(v)));
+  return std::sqrt(largest);
+}
+
+struct Case
+{
+  std::string model;
+  std::size_t vertices;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.model << " with " << c.vertices << " vertices"; }
+
+std::vector<Case> model_cases()
+{
+  std::vector<Case> cases;
+  for(const char* model : {"eight", "cactus", "dino", "camel", "bear", "elephant", "homer", "bull", "knot1", "3torus",
+                           "double-torus-example", "armadillo", "man", "sphere"})
+  {
+    cases.push_back({model, 1000});
+#ifdef NDEBUG // a hundred times as fast as with all assertions
+    cases.push_back({model, 5000});
+    cases.push_back({model, 20000});
+#endif
+  }
+  return cases;
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& info)
+{
+  std::string name = info.param.model + "_" + std::to_string(info.param.vertices);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class Remeshed_model : public testing::TestWithParam<Case>
+{
+protected:
+  std::size_t vertices() const { return GetParam().vertices; }
+
+  const Mesh input = read_model(GetParam().model);
+  Mesh output;
+};
+
+void expect_loops(const Stage_results& stages)
+{
+  for(const auto& curve : stages.curves)
+  {
+    ASSERT_GE(curve.size(), 4u) << "three edges are around a vertex at least";
+    EXPECT_EQ(curve.front(), curve.back());
+  }
+}
+
+void expect_discs_and_annuli(const Mesh& cut)
+{
+  const auto region = cut.property_map<Face, int>("f:region").value();
+  for(const auto& piece : support::topologies(cut, [&](Face f) { return region[f]; }))
+  {
+    const Topology& t = piece.second;
+    EXPECT_EQ(t.components, 1) << "region " << piece.first;
+    EXPECT_TRUE((t.euler_characteristic == 1 && t.boundary_loops == 1) ||
+                (t.euler_characteristic == 0 && t.boundary_loops == 2))
+      << "region " << piece.first << " has Euler characteristic " << t.euler_characteristic << " and "
+      << t.boundary_loops << " boundary loops";
+  }
+}
+
+} // namespace
+
+TEST_P(Remeshed_model, has_topology_shape_and_place)
+{
+  const auto summary = geodesic_remeshing(input, vertices(), output);
+
+  EXPECT_EQ(output.number_of_vertices(), vertices());
+  EXPECT_EQ(summary.number_of_vertices, output.number_of_vertices());
+  EXPECT_EQ(summary.number_of_faces, output.number_of_faces());
+  EXPECT_FALSE(output.has_garbage());
+  ASSERT_TRUE(CGAL::is_valid_polygon_mesh(output)); // manifold and oriented: what a halfedge structure can hold
+  ASSERT_TRUE(CGAL::is_triangle_mesh(output));
+  EXPECT_TRUE(CGAL::is_closed(output));
+  EXPECT_EQ(support::topology_of(output), support::topology_of(input));
+
+  EXPECT_LE(largest_distance(output, input), 1e-9 * diagonal_of(input));
+
+  const support::Quality quality = support::quality_of(output);
+  EXPECT_GE(quality.smallest_angle, 20.);
+  EXPECT_LE(quality.percent_below_30, .1);
+  EXPECT_LE(quality.percent_irregular, 12.);
+  EXPECT_TRUE(vertices() < 5000 || quality.mean_smallest_angle >= 54.) << quality.mean_smallest_angle;
+  if(PMP::does_self_intersect(output))
+  {
+    std::vector<std::pair<Face, Face>> pairs;
+    PMP::self_intersections(output, std::back_inserter(pairs));
+    EXPECT_TRUE(PMP::does_self_intersect(input)) << pairs.size() << " pairs of faces intersect";
+  }
+}
+
+// Regions are looked at with the curves, since both cost another run.
+TEST_P(Remeshed_model, has_regions_that_are_discs_and_annuli_and_curves_that_are_loops)
+{
+  Stage_results stages;
+  namespace gp = CGAL::Geodesic_remeshing::parameters;
+  geodesic_remeshing(input, vertices(), output, gp::stage_results(std::ref(stages)).number_of_iterations(0u));
+  const Topology topology = support::topology_of(input);
+  EXPECT_EQ(support::topology_of(stages.working_surface), topology);
+  EXPECT_EQ(support::topology_of(stages.regions), topology);
+  EXPECT_EQ(support::topology_of(stages.strips), topology);
+  EXPECT_NEAR(support::area_of(stages.working_surface), support::area_of(input), 1e-9 * support::area_of(input));
+  EXPECT_NEAR(support::area_of(stages.regions), support::area_of(input), 1e-9 * support::area_of(input));
+  expect_discs_and_annuli(stages.regions);
+  expect_loops(stages);
+  EXPECT_NEAR(static_cast<double>(stages.samples.size()), static_cast<double>(vertices()), .1 * vertices());
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Remeshed_model, testing::ValuesIn(model_cases()), name_of);
+
+// ---- the same bytes
+
+class Model_twice : public testing::TestWithParam<std::string>
+{};
+
+TEST_P(Model_twice, gives_the_same_bytes)
+{
+  const Mesh input = read_model(GetParam());
+  Mesh once, twice;
+  geodesic_remeshing(input, 1000, once);
+  geodesic_remeshing(input, 1000, twice);
+  EXPECT_TRUE(support::is_same_mesh(once, twice));
+}
+
+TEST_P(Model_twice, gives_the_same_bytes_from_OFF_and_from_PLY)
+{
+  const Mesh input = read_model(GetParam());
+  Mesh from_ply, once, twice;
+  std::stringstream ply(std::ios::in | std::ios::out | std::ios::binary);
+  CGAL::IO::set_binary_mode(ply);
+  ASSERT_TRUE(CGAL::IO::write_PLY(ply, input));
+  ASSERT_TRUE(CGAL::IO::read_PLY(ply, from_ply));
+  geodesic_remeshing(input, 1000, once);
+  geodesic_remeshing(from_ply, 1000, twice);
+  EXPECT_TRUE(support::is_same_mesh(once, twice));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Model_twice, testing::Values("dino", "eight"));
+
+// ---- what cannot be
+
+TEST(Model_with_boundary, is_refused)
+{
+  const Mesh input = read_model("pig");
+  Mesh output;
+  output.add_vertex(Point(1, 2, 3));
+  EXPECT_THROW(geodesic_remeshing(input, 1000, output), std::invalid_argument);
+  EXPECT_EQ(output.number_of_vertices(), 1u);
+}
+
+TEST(Model_of_quadrilaterals, is_refused)
+{
+  Mesh input, output;
+  ASSERT_TRUE(CGAL::IO::read_OFF(path_of("double-torus-example"), input));
+  ASSERT_FALSE(CGAL::is_triangle_mesh(input));
+  EXPECT_THROW(geodesic_remeshing(input, 1000, output), std::invalid_argument);
+}
