@@ -38,7 +38,8 @@ class Fast_marching
 public:
   explicit Fast_marching(const Intrinsic_triangulation& triangulation)
     : m_triangulation(&triangulation), m_state(triangulation.number_of_vertices())
-  {}
+  {
+  }
 
   const Intrinsic_triangulation& triangulation() const { return *m_triangulation; }
 
@@ -247,8 +248,9 @@ inline bool Fast_marching::may_come_earlier(double distance, double side_v, doub
   return (distance - m_least) * (side_v * side_v + side * side - base * base) < side_v * side_v * side;
 }
 
-// A distance that has served already must drop by a part of it to be worth the trouble, each time by a larger one. What is lost is
-// hardly measurable, and the dropping ends, even where fronts in faces without area lower each other in turn.
+// A distance that has served already must drop by a part of it to be worth the trouble, each time by a larger one. What
+// is lost is hardly measurable, and the dropping ends, even where fronts in faces without area lower each other in
+// turn.
 inline bool Fast_marching::is_worth(double distance, const Spoke& spoke) const
 {
   constexpr double least_part = 1e-9;

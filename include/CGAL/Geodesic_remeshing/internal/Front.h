@@ -45,7 +45,8 @@ struct Flat_triangle
   Flat_triangle(double base, double side_a, double side_b)
     : base(base), x(((side_a - side_b) * (side_a + side_b) + base * base) / (2. * base)),
       y(std::sqrt((std::max)(0., (side_a - x) * (side_a + x))))
-  {}
+  {
+  }
 
   // between the side from the apex to a and a direction from the apex
   double angle_at_apex(double to_x, double to_y) const
@@ -110,8 +111,8 @@ Arrival arrive_across(const Front_at_end& a, const Front_at_end& b, double base,
   const double turning = CGAL_PI - a.angle - b.angle;
   if(!(turning > -infinity))
     return shape == Front_shape::circular && a.distance >= 0. && b.distance >= 0.
-             ? circular_arrival(t, a.distance, b.distance, 0.)
-             : planar_arrival(t, a.distance, b.distance, 0.);
+               ? circular_arrival(t, a.distance, b.distance, 0.)
+               : planar_arrival(t, a.distance, b.distance, 0.);
   if(turning > least_turning && a.angle > 0. && b.angle > 0.)
   {
     // where the two paths meet, by the law of sines; rounding and the curvature between them leave two offsets
@@ -142,9 +143,9 @@ Arrival arrive_along(const Front_at_end& begin, double length)
   if(angle < CGAL_PI - large_turn)
     return {begin.distance + length, infinity};
   const double turn = shape == Front_shape::planar
-                        ? CGAL_PI - angle
-                        : std::atan2((std::max)(0., begin.distance) * std::sin(angle),
-                                     length - (std::max)(0., begin.distance) * std::cos(angle));
+                          ? CGAL_PI - angle
+                          : std::atan2((std::max)(0., begin.distance) * std::sin(angle),
+                                       length - (std::max)(0., begin.distance) * std::cos(angle));
   return {begin.distance + length, begin.angle < 0. ? -turn : turn};
 }
 

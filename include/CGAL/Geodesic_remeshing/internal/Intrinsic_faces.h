@@ -74,10 +74,7 @@ public:
   void make_Delaunay();
 
   // Zero where the face is a point or so thin that the angle is lost.
-  double angle_opposite_to(Index h) const
-  {
-    return std::atan2(sine_of_opposite_angle(h), opposite_angle(h).cosine);
-  }
+  double angle_opposite_to(Index h) const { return std::atan2(sine_of_opposite_angle(h), opposite_angle(h).cosine); }
 
 private:
   // Of the angle opposite to a halfedge in its face: the cosine times the product of the angle's sides, and that
@@ -209,8 +206,7 @@ inline void Intrinsic_faces::make_Delaunay()
 inline void Intrinsic_faces::enforce_triangle_inequality()
 {
   std::vector<Index> pending;
-  const auto repair = [&](Index f)
-  {
+  const auto repair = [&](Index f) {
     Triangle& t = m_triangles[f];
     for(Index k = 0; k < 3; ++k)
     {

@@ -38,22 +38,25 @@ public:
   struct Spoke
   {
     double length;
-    double rim;      // length of the side from this neighbor to that of the next spoke; negative: no face between them
-    double angle;    // from the first spoke of the vertex, counterclockwise
+    double rim;   // length of the side from this neighbor to that of the next spoke; negative: no face between them
+    double angle; // from the first spoke of the vertex, counterclockwise
     Index neighbor;
-    Index reverse;   // the spoke of the neighbor that is the same edge
+    Index reverse; // the spoke of the neighbor that is the same edge
   };
 
   // The surface as it lies in space.
   explicit Intrinsic_triangulation(const Mesh& mesh)
-    : Intrinsic_triangulation(mesh, [&mesh](Halfedge h)
-      { return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))); })
-  {}
+    : Intrinsic_triangulation(mesh, [&mesh](Halfedge h) {
+        return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+      })
+  {
+  }
 
   // The surface in a metric of its own: a length for every edge, by index.
   Intrinsic_triangulation(const Mesh& mesh, const std::vector<double>& length_of_edge)
     : Intrinsic_triangulation(mesh, [&](Halfedge h) { return length_of_edge[mesh.edge(h)]; })
-  {}
+  {
+  }
 
   // Any triangulated `FaceListGraph`, its indices possibly with gaps. A halfedge and its opposite must have the same
   // length.
@@ -86,7 +89,8 @@ private:
   template <typename Length_of_halfedge>
   Intrinsic_triangulation(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge)
     : Intrinsic_triangulation(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), length_of_halfedge)
-  {}
+  {
+  }
 
   template <typename Range, typename IndexMap>
   static std::size_t index_bound(const Range& range, IndexMap index)
@@ -194,8 +198,9 @@ inline void Intrinsic_triangulation::collect_fan(const Intrinsic_faces& faces, I
   // what comes from one fan into another comes through the vertex: half a turn or more
   double angle = m_spokes.size() > m_rings.back().first ? m_spokes.back().angle + CGAL_PI : 0.;
   // until the spokes are linked, `reverse` holds the halfedge
-  const auto add = [&](double length, double rim, Index neighbor, Index halfedge)
-  { m_spokes.push_back(Spoke{length, rim, angle, neighbor, halfedge}); };
+  const auto add = [&](double length, double rim, Index neighbor, Index halfedge) {
+    m_spokes.push_back(Spoke{length, rim, angle, neighbor, halfedge});
+  };
 
   for(Index h = start;;)
   {

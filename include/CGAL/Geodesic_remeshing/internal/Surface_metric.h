@@ -40,8 +40,8 @@ class Surface_metric
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Unit_weight_map = Constant_property_map<typename Graph_traits::vertex_descriptor, double>;
-  using Vertex_weight_map = typename CGAL::internal_np::
-    Lookup_named_param_def<internal_np::vertex_weight_map_t, NamedParameters, Unit_weight_map>::type;
+  using Vertex_weight_map = typename CGAL::internal_np::Lookup_named_param_def<internal_np::vertex_weight_map_t,
+                                                                               NamedParameters, Unit_weight_map>::type;
 
 public:
   using Mesh_type = TriangleMesh;
@@ -53,8 +53,7 @@ public:
   using Face_index_map = typename GetInitializedFaceIndexMap<TriangleMesh, NamedParameters>::const_type;
 
   Surface_metric(const char* function, const TriangleMesh& tmesh, const NamedParameters& np)
-    : function(function), mesh(tmesh),
-      vertex_index(get_initialized_vertex_index_map(tmesh, np)),
+    : function(function), mesh(tmesh), vertex_index(get_initialized_vertex_index_map(tmesh, np)),
       face_index(get_initialized_face_index_map(tmesh, np)),
       m_points(choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                 get_const_property_map(CGAL::vertex_point, tmesh))),
@@ -124,8 +123,8 @@ template <typename TriangleMesh, typename NamedParameters>
 Intrinsic_triangulation triangulate_intrinsically(const Surface_metric<TriangleMesh, NamedParameters>& metric,
                                                   const std::vector<std::size_t>& frozen_faces = {})
 {
-  return Intrinsic_triangulation(metric.mesh, metric.vertex_index, metric.face_index,
-                                 [&](auto h) { return metric.length(h); }, frozen_faces);
+  return Intrinsic_triangulation(
+      metric.mesh, metric.vertex_index, metric.face_index, [&](auto h) { return metric.length(h); }, frozen_faces);
 }
 
 // Infinity where the front has not been, and beyond the maximum; sources may lie farther.
