@@ -14,9 +14,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -313,6 +315,43 @@ inline Mesh together(const std::vector<Mesh>& meshes)
   for(const Mesh& mesh : meshes)
     result += mesh;
   return result;
+}
+
+struct Case
+{
+  std::string name;
+  Mesh mesh;
+};
+
+// All kinds: one hill, many, flat ends, creases, long triangles, handles, several components
+inline std::vector<Case> make_cases()
+{
+  return {{"sphere", sphere(3)},
+          {"ellipsoid", ellipsoid(3, 3, 1, 2)},
+          {"octahedron", octahedron()},
+          {"tetrahedron", tetrahedron()},
+          {"box", box(6, 5, 4)},
+          {"cube", box(6, 6, 6)},
+          {"thin_box", box(12, 9, 1)},
+          {"cylinder", cylinder(1, 20, 16, 40)},
+          {"cylinder_of_long_triangles", cylinder(1, 20, 8, 1)},
+          {"spiky_sphere", spiky_sphere(4, 2, .4)},
+          {"tubes_3", branching_tubes({20, 12, 15})},
+          {"tubes_6", branching_tubes({12, 14, 16, 18, 20, 22})},
+          {"equal_tubes_6", branching_tubes({16, 16, 16, 16, 16, 16})},
+          {"cactus_blocks", cactus_blocks()},
+          {"cactus", rounded(cactus_blocks(), 4)},
+          {"torus", torus(3, 1, 40, 16)},
+          {"thin_torus", torus(10, .5, 60, 8)},
+          {"tori_2", chain_of_tori(2)},
+          {"tori_5", chain_of_tori(5)},
+          {"spheres_and_torus", together({sphere(3), torus(6, 1, 40, 12), moved(sphere(2), Vector(20, 0, 0))})}};
+}
+
+inline const std::vector<Case>& cases()
+{
+  static const std::vector<Case> all = make_cases();
+  return all;
 }
 
 } // namespace made

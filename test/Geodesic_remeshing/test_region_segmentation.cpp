@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -31,6 +33,19 @@ std::size_t number_of(Region_kind kind, const Segmentation& segmentation)
   for(const Region& region : segmentation.regions)
     n += region.kind == kind;
   return n;
+}
+
+Vector normal_of(const Mesh& mesh, Face f)
+{
+  const auto v = vertices_of(mesh, f);
+  const Vector n = CGAL::cross_product(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0]));
+  return n / std::sqrt(n.squared_length());
+}
+
+double area_along(const Mesh& mesh, Face f, const Vector& normal)
+{
+  const auto v = vertices_of(mesh, f);
+  return .5 * CGAL::cross_product(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0])) * normal;
 }
 
 // The vertex of a bridge from which both ways lead up
@@ -180,44 +195,63 @@ void expect_valid_segmentation(const Segmented_surface& s)
   expect_discs_and_annuli(s, topology);
 }
 
-struct Case
-{
-  std::string name;
-  Mesh mesh;
-};
-
-std::vector<Case> made_cases()
-{
-  return {{"sphere", made::sphere(3)},
-          {"ellipsoid", made::ellipsoid(3, 3, 1, 2)},
-          {"octahedron", made::octahedron()},
-          {"tetrahedron", made::tetrahedron()},
-          {"box", made::box(6, 5, 4)},
-          {"cube", made::box(6, 6, 6)},
-          {"thin_box", made::box(12, 9, 1)},
-          {"cylinder", made::cylinder(1, 20, 16, 40)},
-          {"cylinder_of_long_triangles", made::cylinder(1, 20, 8, 1)},
-          {"spiky_sphere", made::spiky_sphere(4, 2, .4)},
-          {"tubes_3", made::branching_tubes({20, 12, 15})},
-          {"tubes_6", made::branching_tubes({12, 14, 16, 18, 20, 22})},
-          {"equal_tubes_6", made::branching_tubes({16, 16, 16, 16, 16, 16})},
-          {"cactus_blocks", made::cactus_blocks()},
-          {"cactus", made::rounded(made::cactus_blocks(), 4)},
-          {"torus", made::torus(3, 1, 40, 16)},
-          {"thin_torus", made::torus(10, .5, 60, 8)},
-          {"tori_2", made::chain_of_tori(2)},
-          {"tori_5", made::chain_of_tori(5)},
-          {"spheres_and_torus", made::together({made::sphere(3), made::torus(6, 1, 40, 12),
-                                                made::moved(made::sphere(2), made::Vector(20, 0, 0))})}};
-}
-
-const std::vector<Case>& cases()
-{
-  static const std::vector<Case> all = made_cases();
-  return all;
-}
+using made::cases;
+using made::Case;
 
 } // namespace
+
+// ---- the working surface
+
+TEST(Working_surface, covers_the_input_with_short_edges)
+{
+  for(const Case& c : cases())
+  {
+    SCOPED_TRACE(c.name);
+    const double length = edge_length_for(area(c.mesh), 700);
+    Working_surface working;
+    make_working_surface(c.mesh, length, working);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(working.mesh));
+    EXPECT_EQ(support::topology_of(working.mesh), support::topology_of(c.mesh));
+    for(Edge e : working.mesh.edges())
+      EXPECT_LE(squared_length(working.mesh, e), length * length);
+    // no vertex but on the surface, and where it says
+    for(Vertex v : working.mesh.vertices())
+      EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, working.place[v]), working.mesh.point(v)), 1e-24 * area(c.mesh));
+    // the faces in an input face cover it: their area, with the sign of its normal, adds up
+    std::vector<double> covered(c.mesh.number_of_faces(), 0.);
+    for(Face f : working.mesh.faces())
+      covered[working.input_face[f]] += area_along(working.mesh, f, normal_of(c.mesh, working.input_face[f]));
+    for(Face f : c.mesh.faces())
+      EXPECT_NEAR(covered[f], area_along(c.mesh, f, normal_of(c.mesh, f)), 1e-12 * area(c.mesh));
+  }
+}
+
+TEST(Working_surface, faces_know_the_input_face_they_lie_in)
+{
+  for(const Case& c : cases())
+  {
+    SCOPED_TRACE(c.name);
+    Working_surface working;
+    make_working_surface(c.mesh, edge_length_for(area(c.mesh), 700), working);
+    for(Face f : working.mesh.faces())
+      for(const std::array<double, 3>& weights : {std::array<double, 3>{{1., 0., 0.}}, {{0., .5, .5}}, {{.2, .3, .5}}})
+      {
+        const Place place = place_on_input(c.mesh, working, f, weights);
+        EXPECT_EQ(place.face, working.input_face[f]);
+        EXPECT_NEAR(place.coordinates[0] + place.coordinates[1] + place.coordinates[2], 1., 1e-12);
+        EXPECT_GE(*std::min_element(place.coordinates.begin(), place.coordinates.end()), 0.);
+        EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, place), point_at(working.mesh, Place{f, weights})), 1e-24 * area(c.mesh));
+      }
+  }
+}
+
+TEST(Working_surface, short_edges_are_left_alone)
+{
+  const Mesh mesh = made::torus(3, 1, 40, 16);
+  Working_surface working;
+  make_working_surface(mesh, 100., working);
+  EXPECT_TRUE(support::is_same_mesh(working.mesh, mesh));
+}
 
 // ---- the order of the vertices
 
@@ -288,7 +322,7 @@ TEST_P(Regions_of_made_surfaces, are_discs_and_annuli_with_plateaus)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Made, Regions_of_made_surfaces, testing::Range(std::size_t(0), made_cases().size()),
+INSTANTIATE_TEST_SUITE_P(Made, Regions_of_made_surfaces, testing::Range(std::size_t(0), cases().size()),
                          [](const auto& info) { return cases()[info.param].name; });
 
 // ---- the tree
