@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
+#include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
@@ -108,6 +109,10 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
     return;
   recover_tips(remeshed, parameters);
   for(int round = 0; round < polishings && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
+  // Again, because what parts one pair may bring another together; last at the cost of angles.
+  for(const double angle : {30., 30., 25.})
+    if(Intersection_repair(remeshed, badness_of_angle(angle)).run() == 0)
+      break;
   go_on(1.);
 }
 

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_REPAIR_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_REPAIR_H
+
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_self_intersections.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Where two sheets of the surface are nearer to each other than the triangles deviate from it, triangles of the one may
+// pierce the other's. Their vertices are moved along their edges until they do not, as far as good triangles allow.
+class Intersection_repair
+{
+public:
+  using Index = Lean_triangulation::Index;
+
+  Intersection_repair(Remeshed_surface& remeshed, const double mendable)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), mendable_(mendable) {}
+
+  // Returns the number of intersections found before.
+  std::size_t run();
+
+private:
+  using Pair = std::pair<Index, Index>;
+
+  std::vector<Pair> find() const;
+  void mend(const Pair& faces);
+  void move_apart(Index v);
+  void flip_apart(Index h);
+  void gather(const Pair& faces);
+  Kernel::Triangle_3 triangle(Index f) const;
+  bool share_a_vertex(Index f, Index g) const;
+  std::size_t intersections(Index f) const;
+  std::size_t intersections_of_ring(Index v) const;
+
+  Remeshed_surface& remeshed_;
+  Lean_triangulation& table_;
+  std::vector<Index> zone_;                                   // the faces around the pair
+  double mendable_;                                           // the worst triangle that a change may make
+};
+
+inline Kernel::Triangle_3 Intersection_repair::triangle(const Index f) const
+{
+  return {remeshed_.spot(table_.source(4 * f)).point, remeshed_.spot(table_.source(4 * f + 1)).point,
+          remeshed_.spot(table_.source(4 * f + 2)).point};
+}
+
+inline bool Intersection_repair::share_a_vertex(const Index f, const Index g) const
+{
+  for(Index h = 4 * f; h < 4 * f + 3; ++h)
+    for(Index k = 4 * g; k < 4 * g + 3; ++k)
+      if(table_.source(h) == table_.source(k))
+        return true;
+  return false;
+}
+
+// Pairs of faces that share no vertex; those that do are kept apart by never turning a face.
+inline std::vector<Intersection_repair::Pair> Intersection_repair::find() const
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<Index> face;
+  for(Index v = 0; v < table_.vertex_slots(); ++v)
+    points.push_back(remeshed_.spot(v).point);
+  for(Index f = 0; f < table_.face_slots(); ++f) {
+    if(table_.is_removed_face(f))
+      continue;
+    triangles.push_back({{table_.source(4 * f), table_.source(4 * f + 1), table_.source(4 * f + 2)}});
+    face.push_back(f);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  Polygon_mesh_processing::triangle_soup_self_intersections(points, triangles, std::back_inserter(found));
+  std::vector<Pair> pairs;
+  for(const auto& pair : found)
+    if(!share_a_vertex(face[pair.first], face[pair.second]))
+      pairs.push_back(std::minmax(face[pair.first], face[pair.second]));
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+inline void Intersection_repair::gather(const Pair& faces)
+{
+  zone_.clear();
+  for(const Index f : {faces.first, faces.second})
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+      table_.for_each_neighbor(table_.source(h), [&](const Index v) {
+        table_.for_each_outgoing(v, [&](const Index g) { zone_.push_back(Lean_triangulation::face(g)); });
+      });
+  std::sort(zone_.begin(), zone_.end());
+  zone_.erase(std::unique(zone_.begin(), zone_.end()), zone_.end());
+}
+
+// With the faces of the zone.
+inline std::size_t Intersection_repair::intersections(const Index f) const
+{
+  const Kernel::Triangle_3 t = triangle(f);
+  const Bbox_3 box = t.bbox();
+  std::size_t number = 0;
+  for(const Index g : zone_) {
+    const Kernel::Triangle_3 s = triangle(g);
+    number += do_overlap(box, s.bbox()) && !share_a_vertex(f, g) && do_intersect(t, s);
+  }
+  return number;
+}
+
+inline std::size_t Intersection_repair::intersections_of_ring(const Index v) const
+{
+  std::size_t number = 0;
+  table_.for_each_outgoing(v, [&](const Index h) { number += intersections(Lean_triangulation::face(h)); });
+  return number;
+}
+
+// Takes the first step along an edge, forth or back, that leaves fewer intersections and good angles, until none are left.
+inline void Intersection_repair::move_apart(const Index v)
+{
+  constexpr std::array<double, 6> steps = {{.1, -.1, .25, -.25, .5, -.5}};
+  std::size_t number = intersections_of_ring(v);
+  const double limit = (std::max)(mendable_, remeshed_.ring_badness(v));
+  for(const double step : steps)
+    table_.for_each_neighbor(v, [&](const Index w) {
+      if(number == 0)
+        return;
+      const Remeshed_surface::Spot old = remeshed_.spot(v);
+      remeshed_.put(v, remeshed_.spot_after(v, step * (remeshed_.spot(w).point - old.point)));
+      const std::size_t left = remeshed_.ring_badness(v) <= limit ? intersections_of_ring(v) : number;
+      if(left < number)
+        number = left;
+      else
+        remeshed_.put(v, old);
+    });
+}
+
+inline void Intersection_repair::flip_apart(const Index h)
+{
+  if(!table_.is_flip_legal(h))
+    return;
+  const Index o = table_.opposite(h), f = Lean_triangulation::face(h), g = Lean_triangulation::face(o);
+  const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(o);
+  const double before = add_badness(remeshed_.badness(a, b, c), remeshed_.badness(b, a, d));
+  const double after = add_badness(remeshed_.badness(a, d, c), remeshed_.badness(b, c, d));
+  if(after > (std::max)(before, mendable_))
+    return;
+  const std::size_t number = intersections(f) + intersections(g);
+  remeshed_.record();
+  table_.flip(h);
+  if(intersections(f) + intersections(g) >= number)
+    remeshed_.undo_to({0, 0});
+  remeshed_.forget();
+}
+
+inline void Intersection_repair::mend(const Pair& faces)
+{
+  gather(faces);
+  for(const Index f : {faces.first, faces.second})
+    for(Index h = 4 * f; h < 4 * f + 3; ++h) {
+      if(!do_intersect(triangle(faces.first), triangle(faces.second)))
+        return;
+      if(!remeshed_.is_fixed(table_.source(h)))
+        move_apart(table_.source(h));
+    }
+  for(const Index f : {faces.first, faces.second})
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+      if(do_intersect(triangle(faces.first), triangle(faces.second)))
+        flip_apart(h);
+}
+
+inline std::size_t Intersection_repair::run()
+{
+  const std::vector<Pair> pairs = find();
+  for(const Pair& pair : pairs)
+    mend(pair);
+  return pairs.size();
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_REPAIR_H
