@@ -134,7 +134,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, vertex_points_of(tmesh, np_in), vertex_indices_of(tmesh, np_in), input);
+  copy_input(tmesh, vertex_points_of(tmesh, np_in), np_in, input);
   const Mesh& surface = input.mesh;
   const std::size_t n = number_of_vertices_for(target, surface);
   const double edge_length = edge_length_for(area(surface), n);

@@ -128,7 +128,7 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
   if(!std::is_sorted(values.begin(), values.end()))
     reject("the values of the curves must be in ascending order");
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, points, vertex_indices_of(tmesh, np), input, true);
+  copy_input(tmesh, points, np, input, true);
   std::vector<double> function;
   for(auto v : input.vertex_of)
   {

@@ -142,7 +142,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   if(!(curve_distance > 0.) || !std::isfinite(curve_distance))
     reject("the curve distance must be positive and finite");
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, vertex_points_of(tmesh, np), vertex_indices_of(tmesh, np), input);
+  copy_input(tmesh, vertex_points_of(tmesh, np), np, input);
   Working_surface working;
   make_working_surface(input.mesh, longest_working_edge * curve_distance / std::sqrt(.75), working);
   const Intrinsic_triangulation triangulation(working.mesh);

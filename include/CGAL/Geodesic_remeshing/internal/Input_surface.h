@@ -11,10 +11,12 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_INPUT_SURFACE_H
 
 #include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -33,34 +35,58 @@ struct Input_surface
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex_of;
 };
 
+// Index maps of a mesh with removed elements have gaps.
+template <class Range, class IndexMap>
+std::size_t largest_index(const Range& range, const IndexMap& index)
+{
+  std::size_t result = 0;
+  for(auto d : range)
+    result = (std::max)(result, static_cast<std::size_t>(get(index, d)));
+  return result;
+}
+
 [[noreturn]] inline void reject(const std::string& what)
 {
   throw std::invalid_argument("geodesic remeshing: " + what);
 }
 
-// Copies the input, in its own order, and rejects what the stages cannot work on: these checks are cheap and
-// made in every build, since on such input the loops of the stages need not end.
-template <class TriangleMesh, class VertexPointMap, class VertexIndexMap>
-void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const VertexIndexMap& index,
-                Input_surface<TriangleMesh>& result, bool allow_boundary = false)
+// Appends the edges and faces of a graph to a mesh that has its vertices already: `copy[index of v]` is the copy of v. Takes the
+// connectivity over as it is, which is much faster than adding face by face.
+template <class Graph, class VertexIndexMap, class HalfedgeIndexMap>
+void copy_connectivity(const Graph& graph, const VertexIndexMap& vertex_index, const HalfedgeIndexMap& halfedge_index,
+                       std::size_t number_of_halfedge_indices, const std::vector<Vertex>& copy, Mesh& mesh)
 {
-  Mesh& mesh = result.mesh;
-  std::vector<Vertex> copy(vertices(tmesh).size());
-  std::size_t faces_seen = 0;
-  const auto vertex = [&](typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+  std::vector<Halfedge> copied(number_of_halfedge_indices);
+  for(auto e : edges(graph))
   {
-    Vertex& c = copy[get(index, v)];
-    if(c.is_valid())
-      return c;
-    const auto& p = get(points, v);
-    const Point q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    if(!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-      reject("vertex " + std::to_string(get(index, v)) + " has a coordinate that is not finite");
-    result.vertex_of.push_back(v);
-    return c = mesh.add_vertex(q);
-  };
-  // in the order of the input's vertices, not in that of its faces: neighbours in memory as the user has them
-  std::vector<char> used(copy.size(), 0);
+    const auto h = halfedge(e, graph);
+    const Halfedge g = mesh.add_edge(copy[get(vertex_index, source(h, graph))], copy[get(vertex_index, target(h, graph))]);
+    copied[get(halfedge_index, h)] = g;
+    copied[get(halfedge_index, opposite(h, graph))] = mesh.opposite(g);
+  }
+  for(auto h : halfedges(graph))
+  {
+    const Halfedge g = copied[get(halfedge_index, h)];
+    mesh.set_next(g, copied[get(halfedge_index, next(h, graph))]);
+    if(!mesh.halfedge(mesh.target(g)).is_valid() || is_border(h, graph))
+      mesh.set_halfedge(mesh.target(g), g); // of a vertex on a boundary, the halfedge on the boundary
+  }
+  for(auto f : faces(graph))
+  {
+    const Face copied_face = mesh.add_face();
+    Halfedge g = copied[get(halfedge_index, halfedge(f, graph))];
+    mesh.set_halfedge(copied_face, g);
+    for(int i = 0; i < 3; ++i, g = mesh.next(g))
+      mesh.set_face(g, copied_face);
+  }
+}
+
+// The input must be a closed (or, where allowed, an open) triangle mesh. Marks the vertices that have a face.
+template <class TriangleMesh, class VertexIndexMap>
+std::vector<char> check_faces(const TriangleMesh& tmesh, const VertexIndexMap& index, bool allow_boundary)
+{
+  std::vector<char> used(largest_index(vertices(tmesh), index) + 1, 0);
+  std::size_t number = 0;
   for(auto f : faces(tmesh))
   {
     std::size_t corners = 0;
@@ -69,27 +95,56 @@ void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const V
       used[get(index, target(h, tmesh))] = 1;
       ++corners;
       if(!allow_boundary && is_border(opposite(h, tmesh), tmesh))
-        reject("face " + std::to_string(faces_seen) + " has an edge on a boundary: surfaces with boundary are not supported yet");
+        reject("face " + std::to_string(number) + " has an edge on a boundary: surfaces with boundary are not supported yet");
     }
     if(corners != 3)
-      reject("face " + std::to_string(faces_seen) + " has " + std::to_string(corners) + " vertices, not three");
-    ++faces_seen;
+      reject("face " + std::to_string(number) + " has " + std::to_string(corners) + " vertices, not three");
+    ++number;
   }
-  if(faces_seen == 0)
+  if(number == 0)
     reject("the mesh has no face");
-  mesh.reserve(static_cast<Mesh::size_type>(copy.size()), static_cast<Mesh::size_type>(3 * faces_seen / 2),
-               static_cast<Mesh::size_type>(faces_seen));
+  return used;
+}
+
+// A vertex at which two fans of faces touch has halfedges that walking around it does not reach.
+inline void check_fans(const Mesh& mesh)
+{
+  std::vector<char> reached(mesh.number_of_halfedges(), 0);
+  for(Vertex v : mesh.vertices())
+    for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      reached[h] = 1;
+  for(Halfedge h : mesh.halfedges())
+    if(!reached[h])
+      reject("vertex " + std::to_string(mesh.target(h).idx()) + " is not manifold: two fans of faces touch there");
+}
+
+// Copies the input, in its own order, and rejects what the stages cannot work on: these checks are cheap and
+// made in every build, since on such input the loops of the stages need not end.
+template <class TriangleMesh, class VertexPointMap, class NamedParameters>
+void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const NamedParameters& np,
+                Input_surface<TriangleMesh>& result, bool allow_boundary = false)
+{
+  const auto index = vertex_indices_of(tmesh, np);
+  const std::vector<char> used = check_faces(tmesh, index, allow_boundary);
+  Mesh& mesh = result.mesh;
+  mesh.reserve(static_cast<Mesh::size_type>(used.size()), static_cast<Mesh::size_type>(edges(tmesh).size()),
+               static_cast<Mesh::size_type>(faces(tmesh).size()));
+  std::vector<Vertex> copy(used.size());
   for(auto v : vertices(tmesh))
-    if(used[get(index, v)])
-      vertex(v);
-  for(auto f : faces(tmesh))
   {
-    const auto h = halfedge(f, tmesh);
-    const Face copied = mesh.add_face(vertex(source(h, tmesh)), vertex(target(h, tmesh)), vertex(target(next(h, tmesh), tmesh)));
-    if(copied == Mesh::null_face())
-      reject("face " + std::to_string(result.face_of.size()) + " makes the mesh non-manifold");
-    result.face_of.push_back(f);
+    if(!used[get(index, v)])
+      continue;
+    const auto& p = get(points, v);
+    const Point q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    if(!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+      reject("vertex " + std::to_string(get(index, v)) + " has a coordinate that is not finite");
+    copy[get(index, v)] = mesh.add_vertex(q);
+    result.vertex_of.push_back(v);
   }
+  const auto halfedge_index = get_initialized_halfedge_index_map(tmesh, np);
+  copy_connectivity(tmesh, index, halfedge_index, largest_index(halfedges(tmesh), halfedge_index) + 1, copy, mesh);
+  result.face_of.assign(faces(tmesh).begin(), faces(tmesh).end());
+  check_fans(mesh);
 }
 
 inline double area(const Mesh& mesh)

@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Level_crossings.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,25 @@ inline Point point_at(const Mesh& mesh, const Curve_point& p)
   const Point& b = mesh.point(mesh.target(p.halfedge));
   return Point(a.x() + p.position * (b.x() - a.x()), a.y() + p.position * (b.y() - a.y()),
                a.z() + p.position * (b.z() - a.z()));
+}
+
+inline std::vector<double> lengths_of_curves(const Mesh& mesh, const Level_curves& curves)
+{
+  std::vector<double> lengths;
+  lengths.reserve(curves.curves.size());
+  for(const Level_curve& curve : curves.curves)
+  {
+    double length = 0.;
+    Point before = point_at(mesh, curves.points[curve.is_closed ? curve.end - 1 : curve.begin]);
+    for(std::size_t i = curve.begin; i < curve.end; ++i)
+    {
+      const Point here = point_at(mesh, curves.points[i]);
+      length += std::sqrt(CGAL::squared_distance(before, here));
+      before = here;
+    }
+    lengths.push_back(length);
+  }
+  return lengths;
 }
 
 // Follows the curves from crossing to crossing: many levels in one pass, each crossing visited once.

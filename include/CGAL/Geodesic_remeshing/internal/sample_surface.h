@@ -19,6 +19,21 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
+// The spacing with which these curves get so many samples. The number falls with the spacing, in steps.
+inline double spacing_for(const std::vector<double>& lengths, double edge_length, double number)
+{
+  double low = .7 * edge_length, high = 1.4 * edge_length; // outside, it would only make long triangles
+  for(int i = 0; i < 30; ++i)
+  {
+    const double middle = .5 * (low + high);
+    double sum = 0.;
+    for(double length : lengths)
+      sum += Curve_sampler::number_on_loop(length, middle, edge_length);
+    (sum > number ? low : high) = middle;
+  }
+  return .5 * (low + high);
+}
+
 // Samples the curves so that there are as many samples as the mesh is to have vertices, as nearly as can be: by the spacing
 // along the curves, since their distance from each other is given. What is left is for the improvement to mend; it is
 // a few vertices in a thousand.
@@ -26,20 +41,21 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
                                           const Segmentation& segmentation, const Level_curves& curves,
                                           const std::vector<Vertex>& roots, double edge_length, std::size_t number)
 {
+  const std::vector<double> lengths = lengths_of_curves(working.mesh, curves);
+  const double wanted = static_cast<double>(number);
+  // what the curves are to have: less the samples off the curves, more those that are refused for being too near to another
+  double on_curves = wanted;
   std::vector<Sample> best;
-  double spacing = edge_length;
-  const auto miss = [number](const std::vector<Sample>& samples)
-  { return std::abs(static_cast<double>(samples.size()) - static_cast<double>(number)); };
   for(int attempt = 0; attempt < 4; ++attempt)
   {
+    const double spacing = spacing_for(lengths, edge_length, on_curves);
     std::vector<Sample> samples = Curve_sampler(surface, working, segmentation, curves, edge_length, spacing, number).run(roots);
-    const double ratio = static_cast<double>(samples.size()) / static_cast<double>(number);
-    if(best.empty() || miss(samples) < miss(best))
+    const double excess = static_cast<double>(samples.size()) - wanted;
+    if(best.empty() || std::abs(excess) < std::abs(static_cast<double>(best.size()) - wanted))
       best.swap(samples);
-    // a spacing far from the edge length would only make long triangles
-    spacing = (std::min)((std::max)(spacing * ratio, .7 * edge_length), 1.4 * edge_length);
-    if(miss(best) < .002 * static_cast<double>(number))
+    if(std::abs(excess) < .003 * wanted)
       break;
+    on_curves -= excess;
   }
   return best;
 }

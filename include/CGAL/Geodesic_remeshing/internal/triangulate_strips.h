@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_TRIANGULATE_STRIPS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_TRIANGULATE_STRIPS_H
 
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/contract_cells.h>
 #include <CGAL/Geodesic_remeshing/internal/delaunay_flips.h>
 #include <CGAL/Geodesic_remeshing/internal/insert_samples.h>
@@ -59,11 +60,8 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
   for(Vertex v : dual.vertices())
     if(!copy[v].is_valid())
       add(v, false);
-  for(Face f : dual.faces())
-  {
-    const auto v = vertices_of(dual, f);
-    result.mesh.add_face(copy[v[0]], copy[v[1]], copy[v[2]]);
-  }
+  const auto index = CGAL::get(boost::vertex_index, dual);
+  copy_connectivity(dual, index, CGAL::get(boost::halfedge_index, dual), dual.num_halfedges(), copy, result.mesh);
   Delaunay_flipper(result.mesh).run();
 }
 
