@@ -12,7 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
-#include <CGAL/Polygon_mesh_processing/polygon_soup_self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <array>

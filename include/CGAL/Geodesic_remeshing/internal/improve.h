@@ -71,10 +71,10 @@ bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
   for(std::size_t i = 0; i < sweeps; ++i) {
     const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
     const int gain = moves.sweep(depth);
-    for(int round = 0; round < 2; ++round) {
-      flip_to_regular_valences(remeshed);
-      relax_with_quadrics(remeshed);
-    }
+    flip_to_regular_valences(remeshed);
+    relax(remeshed);
+    flip_to_regular_valences(remeshed);
+    relax_with_quadrics(remeshed);
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;
     if(gain == 0 && depth == last_depth)

@@ -28,22 +28,21 @@ inline double tolerated_badness()
 }
 
 // Moves a vertex the given way: whole, or if this spoils the ring by .4 or .16 of it.
-inline bool try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index v, Vector way)
+inline void try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index v, Vector way)
 {
   const Remeshed_surface::Spot old = remeshed.spot(v);
   const double limit = (std::max)(remeshed.ring_badness(v), tolerated_badness());
   for(int trial = 0; trial < 3; ++trial, way = .4 * way) {
     remeshed.put(v, remeshed.spot_after(v, way));
     if(remeshed.ring_badness(v) <= limit)
-      return true;
+      return;
     remeshed.put(v, old);
   }
-  return false;
 }
 
-inline bool relax_vertex(Remeshed_surface& remeshed, const Lean_triangulation::Index v)
+inline void relax_vertex(Remeshed_surface& remeshed, const Lean_triangulation::Index v)
 {
-  return try_way(remeshed, v, remeshed.way_to_center_of_neighbors(v));
+  try_way(remeshed, v, remeshed.way_to_center_of_neighbors(v));
 }
 
 inline void relax(Remeshed_surface& remeshed)
