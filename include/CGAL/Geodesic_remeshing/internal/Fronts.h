@@ -38,10 +38,11 @@ public:
 
   void take(Vertex v) { m_taken[v] = 1; }
 
-  // Takes the vertices in their order where that moves a front without changing its topology. A vertex where the front
-  // would meet itself or another waits until it can be taken. Calls `took(v)` for each vertex taken.
-  template <class Range, class Took>
-  void sweep(const Range& candidates, const Took& took)
+  // Takes the vertices in their order where that moves a front without changing its topology, and where it is the right
+  // front: `is_own(w)` for a taken neighbour. A vertex where the front would meet itself or another waits until it can be
+  // taken. Calls `took(v)` for each vertex taken.
+  template <class Range, class IsOwn, class Took>
+  void sweep(const Range& candidates, const IsOwn& is_own, const Took& took)
   {
     for(Vertex v : candidates)
     {
@@ -52,7 +53,7 @@ public:
         m_stack.pop_back();
         if(m_taken[w])
           continue;
-        if(number_of_taken_arcs(w) != 1)
+        if(number_of_taken_arcs(w) != 1 || !is_beside(w, is_own))
         {
           m_deferred[w] = 1;
           continue;
@@ -116,6 +117,15 @@ private:
       arcs += m_taken[m_mesh.source(h)] && !m_taken[m_mesh.source(following)];
     }
     return arcs; // a closed ring of taken neighbours has none: that vertex would close a hole
+  }
+
+  template <class IsOwn>
+  bool is_beside(Vertex v, const IsOwn& is_own) const
+  {
+    for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      if(m_taken[m_mesh.source(h)] && is_own(m_mesh.source(h)))
+        return true;
+    return false;
   }
 
   const Mesh& m_mesh;

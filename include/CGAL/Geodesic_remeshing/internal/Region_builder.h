@@ -121,10 +121,11 @@ public:
     const int beside = ways.front().empty() ? regions.front() : m_result.region[ways.front().back()];
     put_on_bridge(saddle, regions.front(), beside, splits);
     add_bridges(saddle, ways);
-    const int above = region_met(closed);
+    join_centres(ways);
     const std::vector<int> opened = open_below(saddle, junction, bridge, closed);
-    for(int r : opened)
-      m_open[r].above = above;
+    if(opened.empty()) // nothing free beside the bridge: no region below begins with it
+      for(Vertex v : bridge)
+        m_result.region[v] = beside;
     return opened;
   }
 
@@ -171,7 +172,6 @@ private:
     std::vector<Vertex> waiting;                    // vertices that the fronts above had to leave, see Fronts
     std::vector<Vertex> side;                       // free vertices beside the front, if another shares its bridge
     double offset = 0.;                             // of the top from the sources
-    int above = -1;                                 // a region above that its top touches
   };
 
   int add_region(Region_kind kind, Vertex centre, std::size_t top)
@@ -272,29 +272,27 @@ private:
       take_region(r, region.height);
   }
 
-  // Of regions whose fronts have met, one that has a height, if there is one. Leaves without one, which are but centres on
-  // the bridges, count to it.
-  int region_met(const std::vector<int>& closed)
+  // Leaves without a height are but centres on the bridges. They count to a region that has one and that the bridges
+  // join them with, if there is any, so that each region is in one piece.
+  void join_centres(const std::vector<std::vector<Vertex>>& ways)
   {
     std::vector<int> met;
-    for(int r : closed)
-    {
-      const Region& region = m_result.regions[r];
-      int s = region.number_of_levels > 0 || region.kind == Region_kind::leaf ? r : m_open[r].above;
-      while(s >= 0 && m_result.regions[s].part_of >= 0)
-        s = m_result.regions[s].part_of;
-      if(s >= 0)
-        met.push_back(s);
-    }
-    if(met.empty())
-      return -1;
-    const auto has_height = [this](int r) { return m_result.regions[r].number_of_levels > 0; };
-    const auto found = std::find_if(met.begin(), met.end(), has_height);
-    const int result = found == met.end() ? met.front() : *found;
+    for(const auto& way : ways)
+      if(!way.empty())
+        met.push_back(whole_region(m_result.region[way.back()]));
+    const auto is_centre = [this](int r)
+    { return m_result.regions[r].kind == Region_kind::leaf && m_result.regions[r].number_of_levels == 0; };
+    const auto joined = std::find_if_not(met.begin(), met.end(), is_centre);
     for(int r : met)
-      if(r != result && !has_height(r))
-        m_result.regions[r].part_of = result;
-    return result;
+      if(is_centre(r) && r != (joined == met.end() ? met.front() : *joined) && m_result.regions[r].part_of < 0)
+        m_result.regions[r].part_of = joined == met.end() ? met.front() : *joined;
+  }
+
+  int whole_region(int r) const
+  {
+    while(m_result.regions[r].part_of >= 0)
+      r = m_result.regions[r].part_of;
+    return r;
   }
 
   // Two fronts that begin on the two sides of one bridge must not march over it: marks the surface from the one front down to
@@ -335,7 +333,12 @@ private:
       m_result.level[v] = level_of(m_result.regions[r], m_result.field[v]);
     }
     near.insert(near.begin(), m_open[r].waiting.begin(), m_open[r].waiting.end());
-    m_fronts.sweep(near, [&](Vertex v)
+    if(m_top_of.empty())
+      m_top_of.assign(m_mesh.number_of_vertices(), -1);
+    for(const auto& source : m_open[r].sources)
+      m_top_of[source.first] = r;
+    const auto is_own = [&](Vertex v) { return m_result.region[v] == r || m_top_of[v] == r; };
+    m_fronts.sweep(near, is_own, [&](Vertex v)
     {
       m_result.region[v] = r;
       m_result.time[v] = m_result.regions[r].bottom;
@@ -518,6 +521,7 @@ private:
   Fronts m_fronts;
   std::vector<int> m_front_of;          // of a free vertex beside a front: the open region of that front
   std::vector<Open_region> m_open;
+  std::vector<int> m_top_of;            // of a vertex: the region closed last whose top it is on
   std::vector<int> m_side_of;           // of a vertex: the region whose side of a bridge it is on, where that matters
   std::vector<double> m_path_length;    // scratch of the searches; only what they touched is reset
   std::vector<Vertex> m_path_from, m_path_touched;
