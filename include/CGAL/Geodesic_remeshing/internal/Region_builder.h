@@ -123,9 +123,9 @@ public:
     add_bridges(saddle, ways);
     join_centres(ways);
     const std::vector<int> opened = open_below(saddle, junction, bridge, closed);
-    if(opened.empty()) // nothing free beside the bridge: no region below begins with it
+    if(splits)
       for(Vertex v : bridge)
-        m_result.region[v] = beside;
+        m_result.region[v] = region_beside(v, opened, beside);
     return opened;
   }
 
@@ -217,6 +217,17 @@ private:
     m_result.field_region[v] = above;
     m_result.field[v] = region.height;
     m_result.level[v] = region.number_of_levels + 1; // outside of all curves of the region above
+  }
+
+  // Where a front splits, the vertices of the bridge have a region below on either side. They count to the first of them, or
+  // where the bridge leaves no room for that one, to the other.
+  int region_beside(Vertex v, const std::vector<int>& opened, int otherwise) const
+  {
+    for(int r : opened)
+      for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+        if(!m_fronts.is_taken(m_mesh.source(h)) && m_front_of[m_mesh.source(h)] == r)
+          return r;
+    return otherwise;
   }
 
   void march(int r)
