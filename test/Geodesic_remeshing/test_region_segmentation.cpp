@@ -207,7 +207,7 @@ TEST(Working_surface, covers_the_input_with_short_edges)
   for(const Case& c : cases())
   {
     SCOPED_TRACE(c.name);
-    const double length = edge_length_for(area(c.mesh), 700);
+    const double whole = area(c.mesh), length = edge_length_for(whole, 700);
     Working_surface working;
     make_working_surface(c.mesh, length, working);
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(working.mesh));
@@ -216,13 +216,13 @@ TEST(Working_surface, covers_the_input_with_short_edges)
       EXPECT_LE(squared_length(working.mesh, e), length * length);
     // no vertex but on the surface, and where it says
     for(Vertex v : working.mesh.vertices())
-      EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, working.place[v]), working.mesh.point(v)), 1e-24 * area(c.mesh));
+      EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, working.place[v]), working.mesh.point(v)), 1e-24 * whole);
     // the faces in an input face cover it: their area, with the sign of its normal, adds up
     std::vector<double> covered(c.mesh.number_of_faces(), 0.);
     for(Face f : working.mesh.faces())
       covered[working.input_face[f]] += area_along(working.mesh, f, normal_of(c.mesh, working.input_face[f]));
     for(Face f : c.mesh.faces())
-      EXPECT_NEAR(covered[f], area_along(c.mesh, f, normal_of(c.mesh, f)), 1e-12 * area(c.mesh));
+      EXPECT_NEAR(covered[f], area_along(c.mesh, f, normal_of(c.mesh, f)), 1e-12 * whole);
   }
 }
 
@@ -231,8 +231,9 @@ TEST(Working_surface, faces_know_the_input_face_they_lie_in)
   for(const Case& c : cases())
   {
     SCOPED_TRACE(c.name);
+    const double whole = area(c.mesh);
     Working_surface working;
-    make_working_surface(c.mesh, edge_length_for(area(c.mesh), 700), working);
+    make_working_surface(c.mesh, edge_length_for(whole, 700), working);
     for(Face f : working.mesh.faces())
       for(const std::array<double, 3>& weights : {std::array<double, 3>{{1., 0., 0.}}, {{0., .5, .5}}, {{.2, .3, .5}}})
       {
@@ -240,7 +241,7 @@ TEST(Working_surface, faces_know_the_input_face_they_lie_in)
         EXPECT_EQ(place.face, working.input_face[f]);
         EXPECT_NEAR(place.coordinates[0] + place.coordinates[1] + place.coordinates[2], 1., 1e-12);
         EXPECT_GE(*std::min_element(place.coordinates.begin(), place.coordinates.end()), 0.);
-        EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, place), point_at(working.mesh, Place{f, weights})), 1e-24 * area(c.mesh));
+        EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, place), point_at(working.mesh, Place{f, weights})), 1e-24 * whole);
       }
   }
 }

@@ -85,13 +85,14 @@ TEST_P(Samples, have_their_place_on_the_input)
   for(std::size_t vertices : {30, 1500})
   {
     const Sampled_surface s(cases()[GetParam()].mesh, vertices);
+    const double whole = area(s.stages.surface);
     for(const Sample& sample : s.samples)
     {
       const auto& c = sample.place.coordinates;
       EXPECT_TRUE(sample.place.face.is_valid() && sample.place.face.idx() < s.stages.surface.number_of_faces());
       EXPECT_GE((std::min)({c[0], c[1], c[2]}), 0.);
       EXPECT_NEAR(c[0] + c[1] + c[2], 1., 1e-12);
-      EXPECT_LE(CGAL::squared_distance(point_at(s.stages.surface, sample.place), sample.point), 1e-24 * area(s.stages.surface));
+      EXPECT_LE(CGAL::squared_distance(point_at(s.stages.surface, sample.place), sample.point), 1e-24 * whole);
       EXPECT_EQ(s.stages.working.input_face[sample.face], sample.place.face);
     }
   }
@@ -235,10 +236,8 @@ TEST_P(Strips, have_Euler_characteristics_that_add_up)
     }
     EXPECT_EQ(euler_characteristic, whole.euler_characteristic);
     const int sides = 2 * static_cast<int>(curves.curves.size());
-    if(whole.genus() == 0)
-      EXPECT_EQ(loops, sides) << "a curve has a strip on either side";
-    else
-      EXPECT_LE(loops, sides) << "where it does not part the surface it may be the same";
+    EXPECT_LE(loops, sides) << "a curve has a strip on either side";
+    EXPECT_TRUE(whole.genus() > 0 || loops == sides) << "which is the same only where it does not part the surface";
   }
 }
 
@@ -247,6 +246,7 @@ TEST_P(Strips, are_triangulated_with_the_topology_of_the_surface)
 {
   const Mesh& mesh = cases()[GetParam()].mesh;
   const Topology topology = support::topology_of(mesh);
+  const double whole = area(mesh);
   for(std::size_t vertices : {12, 30, 60, 200, 1000})
   {
     SCOPED_TRACE(std::to_string(vertices) + " vertices");
@@ -257,7 +257,7 @@ TEST_P(Strips, are_triangulated_with_the_topology_of_the_surface)
     for(std::size_t i = 0; i < (std::min)(s.samples.size(), std::size_t(result.mesh.number_of_vertices())); ++i)
       EXPECT_LE(CGAL::squared_distance(point_at(s.stages.surface, result.place[Vertex(static_cast<Mesh::size_type>(i))]),
                                        result.mesh.point(Vertex(static_cast<Mesh::size_type>(i)))),
-                1e-24 * area(mesh));
+                1e-24 * whole);
   }
 }
 
