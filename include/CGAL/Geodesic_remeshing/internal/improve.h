@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
@@ -52,13 +53,10 @@ bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& para
   return true;
 }
 
-// Before the defects are removed, when a lost tip is still near, and once more after.
-inline void recover_tips(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
+inline void recover_tips(Remeshed_surface& remeshed, const double tolerance)
 {
-  // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
-  constexpr double tolerance = .3;
-  Tip_recovery(remeshed).run(tolerance * parameters.edge_length);
-  relax_with_quadrics(remeshed);
+  Tip_recovery(remeshed).run(tolerance);
+  relax_with_quadrics(remeshed, quadrics(remeshed));
 }
 
 // Sweeps of defect moves until they gain nothing. The short ways come first: a pair that glides far leaves the mesh
@@ -68,13 +66,14 @@ bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
 {
   constexpr std::size_t sweeps = 6, first_depth = 4, last_depth = 12;
   Defect_moves moves(remeshed);
+  const std::vector<Quadric> planes = quadrics(remeshed);
   for(std::size_t i = 0; i < sweeps; ++i) {
     const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
     const int gain = moves.sweep(depth);
     flip_to_regular_valences(remeshed);
     relax(remeshed);
     flip_to_regular_valences(remeshed);
-    relax_with_quadrics(remeshed);
+    relax_with_quadrics(remeshed, planes);
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;
     if(gain == 0 && depth == last_depth)
@@ -95,6 +94,31 @@ inline void mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
   }
 }
 
+// Tips and defects hinder each other: a pinned tip stops the pairs that glide, and the steps between their sweeps shorten
+// the tips. So the tips are sought first, when a lost one is still near, and hold what is around them while the first sweeps
+// mend it; sought again, as the last sweeps start from what is around them but move them too; and in the end only those
+// are sent back that were lost by much.
+template <class Progress>
+bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improvement_parameters& parameters,
+                                     const Progress& go_on)
+{
+  // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
+  const double tolerance = .3 * parameters.edge_length, last_tolerance = .5 * parameters.edge_length;
+  recover_tips(remeshed, tolerance);
+  mend_angles(remeshed, parameters);
+  if(parameters.use_defect_moves) {
+    if(!remove_defects(remeshed, [&](const double progress) { return go_on(.5 * progress); }))
+      return false;
+    recover_tips(remeshed, tolerance);
+    remeshed.release();
+    remeshed.let_numbers_count(true);
+    if(!remove_defects(remeshed, [&](const double progress) { return go_on(.5 + .5 * progress); }))
+      return false;
+  }
+  recover_tips(remeshed, last_tolerance);
+  return true;
+}
+
 template <class Progress>
 void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
@@ -102,12 +126,9 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   const double share = parameters.use_defect_moves ? .3 : .9;
   if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }))
     return;
-  recover_tips(remeshed, parameters);
-  mend_angles(remeshed, parameters);
-  if(parameters.use_defect_moves &&
-     !remove_defects(remeshed, [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
+  if(!recover_tips_and_remove_defects(remeshed, parameters,
+                                      [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
     return;
-  recover_tips(remeshed, parameters);
   for(int round = 0; round < polishings && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
   // Again, because what parts one pair may bring another together; last at the cost of angles.
   for(const double angle : {30., 30., 25.})

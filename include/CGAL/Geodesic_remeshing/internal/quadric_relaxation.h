@@ -21,10 +21,11 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The sum of the squared distances from the planes of some faces, as a function of the displacement of a vertex, without
-// its constant: d A d - 2 b d. The weights are the faces' areas.
+// The sum of the squared distances from the planes of some faces, as a function of the displacement d of a vertex from a
+// fixed point, without its constant: d A d - 2 b d. The weights are the faces' areas.
 struct Quadric
 {
+  Point from;
   double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0., bx = 0., by = 0., bz = 0., weight = 0.;
 
   void add(const Vector& normal, const double distance, const double area)
@@ -36,11 +37,14 @@ struct Quadric
     weight += area;
   }
 
-  // The least of the quadric plus `pull` times the weight times the squared distance from `way`.
-  Vector least(const Vector& way, const double pull) const
+  // The way from a point to the least of the quadric plus `pull` times the weight times the squared distance from its `way`.
+  Vector least(const Point& at, const Vector& way, const double pull) const
   {
+    const Vector moved = at - from;
     const double k = pull * weight, a = xx + k, d = yy + k, f = zz + k;
-    const double rx = bx + k * way.x(), ry = by + k * way.y(), rz = bz + k * way.z();
+    const double rx = bx + k * way.x() - Vector(xx, xy, xz) * moved;
+    const double ry = by + k * way.y() - Vector(xy, yy, yz) * moved;
+    const double rz = bz + k * way.z() - Vector(xz, yz, zz) * moved;
     const double p = d * f - yz * yz, q = yz * xz - xy * f, r = xy * yz - d * xz;
     const double determinant = a * p + xy * q + xz * r;
     return Vector(p * rx + q * ry + r * rz, q * rx + (a * f - xz * xz) * ry + (xy * xz - a * yz) * rz,
@@ -55,6 +59,8 @@ inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed)
   const Lean_triangulation& input = walker.triangulation();
   const Nearest_vertices nearest(remeshed);
   std::vector<Quadric> result(remeshed.connectivity().vertex_slots());
+  for(Lean_triangulation::Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+    result[v].from = remeshed.spot(v).point;
   for(Lean_triangulation::Index f = 0; f < input.face_slots(); ++f) {
     std::array<Point, 3> p;
     for(int i = 0; i < 3; ++i)
@@ -72,19 +78,19 @@ inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed)
 }
 
 // Steps as those of `relax()`, but held back where they would leave the planes of the input: along a ridge, into a dent.
-// Where the surface is flat the two are the same.
-inline void relax_with_quadrics(Remeshed_surface& remeshed)
+// Where the surface is flat the two are the same. The quadrics may be those of some steps ago: the planes near a vertex stay
+// nearly the same ones, and to find them takes a pass over the whole input.
+inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Quadric>& quadric)
 {
   // The smaller, the better is the surface kept and the worse are the triangles. Of .15, .3 and .6 this one has nearly the
   // Hausdorff distances of the first and the mean angles of the last.
   constexpr double pull = .3;
   const Lean_triangulation& table = remeshed.connectivity();
-  const std::vector<Quadric> quadric = quadrics(remeshed);
   for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v) {
     if(table.is_removed(v) || remeshed.is_fixed(v))
       continue;
     const Vector way = remeshed.way_to_center_of_neighbors(v);
-    try_way(remeshed, v, quadric[v].weight > 0. ? quadric[v].least(way, pull) : way);
+    try_way(remeshed, v, quadric[v].weight > 0. ? quadric[v].least(remeshed.spot(v).point, way, pull) : way);
   }
 }
 
