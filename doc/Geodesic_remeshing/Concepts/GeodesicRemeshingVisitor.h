@@ -2,7 +2,10 @@
 \ingroup PkgGeodesicRemeshingConcepts
 \cgalConcept
 
-The concept `GeodesicRemeshingVisitor` describes an object that watches `CGAL::geodesic_remeshing()` at work and can stop it.
+The concept `GeodesicRemeshingVisitor` describes an object that watches `CGAL::geodesic_remeshing()` at work and can stop it. It is
+passed by reference, `visitor(std::ref(v))`, if what it sees is to be found in `v` afterwards; else a copy of it is called. Its functions
+are called from the thread that called `CGAL::geodesic_remeshing()`; an exception that they throw passes through to the caller, the output
+being as it was before.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Geodesic_remeshing::Default_visitor}
@@ -11,10 +14,10 @@ The concept `GeodesicRemeshingVisitor` describes an object that watches `CGAL::g
 class GeodesicRemeshingVisitor
 {
 public:
-  /// called when a stage begins
+  /// called when a stage begins; `CGAL::Geodesic_remeshing::Default_visitor::stage()` lists their names
   void stage(const std::string& name);
 
-  /// called now and then with the part of the whole work that is done, from 0 to 1. Returning `false` stops the work:
+  /// called now and then with the part of the whole work that is done, from 0 to 1, which never falls. Returning `false` before 1 stops the work:
   /// `CGAL::Geodesic_remeshing::Remeshing_error` is thrown, and the output is as it was before.
   bool progress(double done);
 };
