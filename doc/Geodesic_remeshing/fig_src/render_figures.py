@@ -282,6 +282,9 @@ def main(arguments):
             print(*run)
         return
     stages, figures, *names = arguments
+    unknown = [name for name in names if name not in FIGURES]
+    if unknown:
+        sys.exit(f"no figure is called {unknown[0]}; there are {', '.join(FIGURES)}")
     with tempfile.TemporaryDirectory() as work:
         for name in names or FIGURES:
             make_figure(name, stages, figures, work)
