@@ -144,6 +144,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Mesh& surface = input.mesh;
   const std::size_t n = number_of_vertices_for(target, surface);
   const double edge_length = edge_length_for(area(surface), n);
+  check_scale(edge_length);
   const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
 
   clock.stage("refinement", .05);
@@ -186,7 +187,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
     clock.give_up();
   check_count(remeshed.mesh, n);
 
-  clock.stage("output", .95);
+  clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
   write_output(remeshed.mesh, out, np_out);
   clock.stop();
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
@@ -194,7 +195,6 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   summary.edge_length = edge_length;
   summary.number_of_regions = segmentation.regions.size();
   summary.number_of_curves = curves.curves.size();
-  clock.go_on(1.);
   return summary;
 }
 

@@ -141,6 +141,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   using namespace internal;
   if(!(curve_distance > 0.) || !std::isfinite(curve_distance))
     reject("the curve distance must be positive and finite");
+  check_scale(curve_distance);
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, vertex_points_of(tmesh, np), np, input);
   Working_surface working;

@@ -27,6 +27,13 @@ inline double edge_length_for(double area, std::size_t vertices)
   return std::sqrt(2. * area / (std::sqrt(3.) * static_cast<double>(vertices)));
 }
 
+// Fourth powers of lengths, which the predicates compare, must neither vanish nor overflow.
+inline void check_scale(double edge_length)
+{
+  if(!(edge_length > 1e-70) || !(edge_length < 1e70))
+    reject("the coordinates are too small or too large to compute with");
+}
+
 inline std::size_t vertices_for_length(double area, double length)
 {
   if(!(length > 0.) || !std::isfinite(length))

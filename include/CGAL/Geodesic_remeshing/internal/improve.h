@@ -103,7 +103,7 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
                                      const Progress& go_on)
 {
   // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
-  const double tolerance = .3 * parameters.edge_length, last_tolerance = .5 * parameters.edge_length;
+  const double tolerance = .3 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
   recover_tips(remeshed, tolerance);
   mend_angles(remeshed, parameters);
   if(parameters.use_defect_moves) {
@@ -116,6 +116,7 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
       return false;
   }
   recover_tips(remeshed, last_tolerance);
+  relax_with_quadrics(remeshed, quadrics(remeshed)); // once more, on the cells as they are now: nearer to hollows
   return true;
 }
 
