@@ -34,7 +34,8 @@ using Vertex = Mesh::Vertex_index;
 inline Mesh octahedron()
 {
   Mesh mesh;
-  for(const Point& p : {Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)})
+  for(const Point& p :
+      {Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)})
     mesh.add_vertex(p);
   for(unsigned x : {0u, 1u})
     for(unsigned y : {2u, 3u})
@@ -92,7 +93,8 @@ inline Mesh sphere(int times, double radius = 1.)
   {
     mesh = divided(mesh);
     for(Vertex v : mesh.vertices())
-      mesh.point(v) = CGAL::ORIGIN + (mesh.point(v) - CGAL::ORIGIN) / std::sqrt((mesh.point(v) - CGAL::ORIGIN).squared_length());
+      mesh.point(v) =
+          CGAL::ORIGIN + (mesh.point(v) - CGAL::ORIGIN) / std::sqrt((mesh.point(v) - CGAL::ORIGIN).squared_length());
   }
   for(Vertex v : mesh.vertices())
     mesh.point(v) = CGAL::ORIGIN + radius * (mesh.point(v) - CGAL::ORIGIN);
@@ -192,14 +194,15 @@ struct Block
   std::array<int, 3> low, high;
 };
 
-// The surface of the union of blocks, which must not touch along an edge or at a corner only. All of it is exactly flat and at
-// integer coordinates: many vertices have the same distance from anywhere.
+// The surface of the union of blocks, which must not touch along an edge or at a corner only. All of it is exactly flat
+// and at integer coordinates: many vertices have the same distance from anywhere.
 inline Mesh blocks(const std::vector<Block>& boxes)
 {
   const auto is_inside = [&](const std::array<int, 3>& c)
   {
     for(const Block& b : boxes)
-      if(b.low[0] <= c[0] && c[0] < b.high[0] && b.low[1] <= c[1] && c[1] < b.high[1] && b.low[2] <= c[2] && c[2] < b.high[2])
+      if(b.low[0] <= c[0] && c[0] < b.high[0] && b.low[1] <= c[1] && c[1] < b.high[1] && b.low[2] <= c[2] &&
+         c[2] < b.high[2])
         return true;
     return false;
   };

@@ -195,7 +195,8 @@ TEST(Equidistant_curves, saddle_exactly_at_the_value)
   std::map<double, int> arcs;
   for(const Curve& curve : t.curves)
     ++arcs[curve.value];
-  EXPECT_EQ(arcs, (std::map<double, int>{{-3., 2}, {0., 2}, {3., 2}})); // at 0 the lines x = 4 and y = 4, as two arcs that touch
+  // at 0 the lines x = 4 and y = 4, as two arcs that touch
+  EXPECT_EQ(arcs, (std::map<double, int>{{-3., 2}, {0., 2}, {3., 2}}));
 }
 
 TEST(Equidistant_curves, plateau_has_its_rim_at_most)
@@ -272,7 +273,8 @@ TEST(Equidistant_curves, takes_polyhedra_and_point_maps)
     collapsed.point(v) = Point(0, 0, 0);
   }
   std::vector<Curve> again;
-  equidistant_curves(collapsed, t.function, t.values, std::back_inserter(again), CGAL::parameters::vertex_point_map(points));
+  equidistant_curves(collapsed, t.function, t.values, std::back_inserter(again),
+                     CGAL::parameters::vertex_point_map(points));
   ASSERT_EQ(again.size(), t.curves.size());
   for(std::size_t i = 0; i < again.size(); ++i)
     EXPECT_EQ(again[i].points, t.curves[i].points);

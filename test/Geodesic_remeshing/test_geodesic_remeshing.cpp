@@ -287,7 +287,8 @@ TEST(Meshes, vertex_point_maps_in_and_out)
     input.point(v) = Point(0, 0, 0);
   }
   auto written = output.add_property_map<Vertex, Point>("v:written", Point(9, 9, 9)).first;
-  geodesic_remeshing(input, 400, output, CGAL::parameters::vertex_point_map(points), CGAL::parameters::vertex_point_map(written));
+  geodesic_remeshing(input, 400, output, CGAL::parameters::vertex_point_map(points),
+                     CGAL::parameters::vertex_point_map(written));
   ASSERT_EQ(output.number_of_vertices(), 400u);
   for(Vertex v : output.vertices())
     EXPECT_EQ(written[v], expected.point(v));
@@ -308,7 +309,8 @@ TEST(Meshes, names_of_CGAL_and_of_the_package_in_one_chain)
 
 TEST(Determinism, twice_the_same)
 {
-  for(const Mesh& input : {made::sphere(3), made::box(6, 6, 6), made::branching_tubes({20, 12, 15}), made::chain_of_tori(2)})
+  for(const Mesh& input :
+      {made::sphere(3), made::box(6, 6, 6), made::branching_tubes({20, 12, 15}), made::chain_of_tori(2)})
   {
     Mesh once, twice;
     geodesic_remeshing(input, 200, once);
@@ -408,7 +410,8 @@ TEST(Visitor, changes_nothing)
   Witness witness;
   Stage_results stages;
   Mesh output, expected;
-  geodesic_remeshing(made::torus(3, 1, 40, 16), 500, output, gp::visitor(std::ref(witness)).stage_results(std::ref(stages)));
+  geodesic_remeshing(made::torus(3, 1, 40, 16), 500, output,
+                     gp::visitor(std::ref(witness)).stage_results(std::ref(stages)));
   geodesic_remeshing(made::torus(3, 1, 40, 16), 500, expected);
   EXPECT_TRUE(support::is_same_mesh(output, expected));
 }
@@ -495,7 +498,8 @@ TEST(Bad_input, targets_that_are_none)
   const Mesh input = made::sphere(2);
   expect_refused<std::invalid_argument>(input, 0, "positive");
   expect_refused<std::invalid_argument>(input, -5, "positive");
-  for(double length : {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e-9})
+  for(double length :
+      {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e-9})
     expect_refused<std::invalid_argument>(input, Edge_length{length}, "length");
   expect_refused<Remeshing_error>(input, Number_of_faces{2}, "2 faces");
 }
@@ -505,7 +509,8 @@ TEST(Bad_input, fewer_vertices_than_the_topology_needs)
   expect_refused<Remeshing_error>(made::sphere(2), 3, "4");               // a tetrahedron
   expect_refused<Remeshing_error>(made::torus(3, 1, 40, 16), 6, "7");     // the Csaszar torus
   expect_refused<Remeshing_error>(made::chain_of_tori(2), 9, "10");       // Jungerman and Ringel
-  expect_refused<Remeshing_error>(made::together({made::sphere(2), made::moved(made::sphere(2), Vector(4, 0, 0))}), 7, "8");
+  expect_refused<Remeshing_error>(made::together({made::sphere(2), made::moved(made::sphere(2), Vector(4, 0, 0))}), 7,
+                                  "8");
 }
 
 // ---- input that is no error

@@ -31,7 +31,8 @@ struct Sampled_surface
   Sampled_surface(const Mesh& mesh, std::size_t vertices)
     : edge_length(edge_length_for(area(mesh), vertices)), stages(mesh, std::sqrt(.75) * edge_length),
       curves(Curve_tracer(stages.working.mesh, stages.segmentation).trace()),
-      samples(sample_surface(stages.surface, stages.working, stages.segmentation, curves, stages.roots, edge_length, vertices))
+      samples(sample_surface(stages.surface, stages.working, stages.segmentation, curves, stages.roots, edge_length,
+                             vertices))
   {}
 
   double edge_length;
@@ -50,7 +51,8 @@ void expect_triangulation_of(const Mesh& mesh, const Topology& topology)
   EXPECT_EQ(support::topology_of(mesh), topology);
   for(Vertex v : mesh.vertices()) // no two edges between the same vertices
   {
-    std::vector<Vertex> ring(mesh.vertices_around_target(mesh.halfedge(v)).begin(), mesh.vertices_around_target(mesh.halfedge(v)).end());
+    std::vector<Vertex> ring(mesh.vertices_around_target(mesh.halfedge(v)).begin(),
+                             mesh.vertices_around_target(mesh.halfedge(v)).end());
     std::sort(ring.begin(), ring.end());
     EXPECT_TRUE(std::adjacent_find(ring.begin(), ring.end()) == ring.end()) << v;
     EXPECT_GE(ring.size(), 3u) << v;
@@ -67,7 +69,8 @@ std::size_t number_not_delaunay(const Mesh& mesh)
       continue;
     double sum = 0.;
     for(Halfedge h : {mesh.halfedge(e, 0), mesh.halfedge(e, 1)})
-      sum += support::angle_at(mesh.point(mesh.source(h)), mesh.point(mesh.target(mesh.next(h))), mesh.point(mesh.target(h)));
+      sum += support::angle_at(mesh.point(mesh.source(h)), mesh.point(mesh.target(mesh.next(h))),
+                               mesh.point(mesh.target(h)));
     n += sum > 180. + 1e-6;
   }
   return n;
@@ -104,7 +107,8 @@ TEST_P(Samples, are_nearly_as_many_as_asked_for)
   {
     const Sampled_surface s(cases()[GetParam()].mesh, vertices);
     // what is left is for the improvement; on short loops one sample more or less is much
-    EXPECT_NEAR(static_cast<double>(s.samples.size()), static_cast<double>(vertices), (vertices > 1000 ? .03 : .1) * vertices);
+    EXPECT_NEAR(static_cast<double>(s.samples.size()), static_cast<double>(vertices),
+                (vertices > 1000 ? .03 : .1) * vertices);
   }
 }
 
@@ -127,7 +131,8 @@ TEST_P(Samples, begin_with_the_root_and_have_the_tips)
   {
     const Sample sample = nearest(tip);
     EXPECT_TRUE(sample.is_pinned);
-    EXPECT_LE(CGAL::squared_distance(sample.point, s.stages.working.mesh.point(tip)), .25 * s.edge_length * s.edge_length);
+    EXPECT_LE(CGAL::squared_distance(sample.point, s.stages.working.mesh.point(tip)),
+              .25 * s.edge_length * s.edge_length);
   }
 }
 
@@ -255,9 +260,10 @@ TEST_P(Strips, are_triangulated_with_the_topology_of_the_surface)
     triangulate_strips(s.stages.surface, s.stages.working, s.samples, s.edge_length, result);
     expect_triangulation_of(result.mesh, topology);
     for(std::size_t i = 0; i < (std::min)(s.samples.size(), std::size_t(result.mesh.number_of_vertices())); ++i)
-      EXPECT_LE(CGAL::squared_distance(point_at(s.stages.surface, result.place[Vertex(static_cast<Mesh::size_type>(i))]),
-                                       result.mesh.point(Vertex(static_cast<Mesh::size_type>(i)))),
-                1e-24 * whole);
+      EXPECT_LE(
+          CGAL::squared_distance(point_at(s.stages.surface, result.place[Vertex(static_cast<Mesh::size_type>(i))]),
+                                 result.mesh.point(Vertex(static_cast<Mesh::size_type>(i)))),
+          1e-24 * whole);
   }
 }
 

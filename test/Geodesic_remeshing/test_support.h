@@ -39,7 +39,8 @@ struct Topology
   int genus() const { return (2 * components - boundary_loops - euler_characteristic) / 2; }
   bool operator==(const Topology& t) const
   {
-    return components == t.components && boundary_loops == t.boundary_loops && euler_characteristic == t.euler_characteristic;
+    return components == t.components && boundary_loops == t.boundary_loops &&
+           euler_characteristic == t.euler_characteristic;
   }
 };
 
@@ -72,7 +73,8 @@ std::map<int, Topology> topologies(const Mesh& mesh, const Number_of_face& numbe
   const auto inner = [&](Halfedge h) { return mesh.is_border(h) ? -1 : number(mesh.face(h)); };
   const auto is_rim = [&](Halfedge h) { return inner(h) != inner(mesh.opposite(h)); };
   std::map<int, Topology> result;
-  Union_of_indices corners(mesh.number_of_halfedges()), pieces(mesh.number_of_faces()), rims(mesh.number_of_halfedges());
+  Union_of_indices corners(mesh.number_of_halfedges()), pieces(mesh.number_of_faces()),
+      rims(mesh.number_of_halfedges());
   for(Halfedge h : mesh.halfedges())
   {
     if(mesh.is_border(h))
@@ -155,7 +157,8 @@ inline double area_of(const Mesh& mesh)
   for(Face f : mesh.faces())
   {
     const Halfedge h = mesh.halfedge(f);
-    sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+    sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                        mesh.point(mesh.target(mesh.next(h)))));
   }
   return sum;
 }
