@@ -594,8 +594,7 @@ TEST(Odd_input, degenerate_faces)
   EXPECT_GE(support::quality_of(output).smallest_angle, 20.);
 }
 
-// Disabled: as long as a surface without area is not refused, the memory of the machine runs out before it ends.
-TEST(Odd_input, DISABLED_everything_in_one_point)
+TEST(Odd_input, everything_in_one_point)
 {
   Mesh input = made::sphere(1), output = made::octahedron();
   for(Vertex v : input.vertices())
