@@ -17,6 +17,7 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <string>
@@ -113,7 +114,7 @@ void write_output(const Mesh& mesh, OutputMesh& out, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  clear(out);
+  remove_all_elements(out); // clear() would take the caller's property maps with it
   copy_face_graph(mesh, out, CGAL::parameters::default_values(),
                   CGAL::parameters::vertex_point_map(choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                                       get_property_map(vertex_point, out))));
