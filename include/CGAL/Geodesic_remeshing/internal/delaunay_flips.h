@@ -73,7 +73,7 @@ private:
     return side_of_oriented_circle(Point_2(0., 0.), Point_2(length, 0.), c, d) == ON_POSITIVE_SIDE;
   }
 
-  int valence(Vertex v) const { return static_cast<int>(m_mesh.degree(v)); }
+  bool has_edge_to_spare(Vertex v) const { return m_mesh.degree(v) > (m_mesh.is_border(v) ? 2u : 3u); }
 
   // Not where the other diagonal is an edge already, a vertex would lose its third edge, or a face would turn over
   bool is_flippable(Halfedge h) const
@@ -81,7 +81,7 @@ private:
     const Halfedge o = m_mesh.opposite(h);
     const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
     const Vertex c = m_mesh.target(m_mesh.next(h)), d = m_mesh.target(m_mesh.next(o));
-    if(c == d || m_mesh.halfedge(c, d).is_valid() || valence(a) <= 3 || valence(b) <= 3)
+    if(c == d || m_mesh.halfedge(c, d).is_valid() || !has_edge_to_spare(a) || !has_edge_to_spare(b))
       return false;
     const Vector before = normal(a, b, c) + normal(b, a, d);
     return normal(c, d, b) * before > 0. && normal(d, c, a) * before > 0.;
