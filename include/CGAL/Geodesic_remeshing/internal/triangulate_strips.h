@@ -27,10 +27,12 @@ struct Placed_mesh
   Mesh mesh;
   Mesh::Property_map<Vertex, Place> place;
   Mesh::Property_map<Vertex, bool> pinned;
+  Mesh::Property_map<Edge, bool> constrained; // the edges on lines
 
   Placed_mesh()
     : place(mesh.add_property_map<Vertex, Place>("v:place").first),
-      pinned(mesh.add_property_map<Vertex, bool>("v:pinned", false).first)
+      pinned(mesh.add_property_map<Vertex, bool>("v:pinned", false).first),
+      constrained(mesh.add_property_map<Edge, bool>("e:constrained", false).first)
   {}
   Placed_mesh(const Placed_mesh&) = delete;
   Placed_mesh& operator=(const Placed_mesh&) = delete;

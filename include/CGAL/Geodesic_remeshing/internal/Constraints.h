@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CONSTRAINTS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_CONSTRAINTS_H
+
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// What of the input the output has to follow (paper, section 6, on feature curves): lines that its edges cover and corners
+// that are among its vertices.
+struct Constraints
+{
+  std::vector<char> is_line;   // of an edge: on the boundary, a feature, constrained, or between two patches
+  std::vector<char> is_corner; // of a vertex
+
+  bool empty() const { return !has_any(is_line) && !has_any(is_corner); }
+
+private:
+  static bool has_any(const std::vector<char>& marks) { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
+};
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_CONSTRAINTS_H
