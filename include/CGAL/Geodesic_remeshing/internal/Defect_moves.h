@@ -69,7 +69,7 @@ inline int Defect_moves::sweep(const std::size_t depth)
 {
   int total = 0;
   for(Index v = 0; v < table_.vertex_slots(); ++v) {
-    if(table_.is_removed(v) || remeshed_.excess(v) == 0)
+    if(table_.is_removed(v) || !remeshed_.is_irregular(v))
       continue;
     // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
     nodes_left_ = 40 * depth;
@@ -85,10 +85,9 @@ inline int Defect_moves::sweep(const std::size_t depth)
 
 inline void Defect_moves::add(const Index h, const int most, const Index made, Candidates& candidates) const
 {
-  const Index o = table_.opposite(h);
-  if(o == Lean_triangulation::none || candidates.size == candidates.list.size())
+  if(table_.is_constrained(h) || candidates.size == candidates.list.size())
     return;
-  const Index one = (std::min)(h, o);
+  const Index one = (std::min)(h, table_.opposite(h));
   const int energy = remeshed_.energy_of_flip(one);
   if(energy > most || one == made)
     return;
@@ -102,11 +101,12 @@ inline void Defect_moves::add(const Index h, const int most, const Index made, C
 // many, and those opposite a vertex that has too few.
 inline void Defect_moves::collect(const Index v, const int most, const Index made, Candidates& candidates) const
 {
-  const int excess = remeshed_.excess(v);
-  if(excess == 0)
+  if(!remeshed_.is_irregular(v))
     return;
   table_.for_each_outgoing(v, [&](const Index h) {
-    add(excess > 0 ? h : Lean_triangulation::next(h), most, made, candidates);
+    const int excess = remeshed_.excess_at(h);
+    if(excess != 0)
+      add(excess > 0 ? h : Lean_triangulation::next(h), most, made, candidates);
   });
 }
 

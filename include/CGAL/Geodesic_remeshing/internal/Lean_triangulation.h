@@ -28,13 +28,19 @@ namespace internal {
 // Face f has the halfedges 4f, 4f+1, 4f+2, from its vertex 0 to 1, 1 to 2 and 2 to 0, in the order of `vertices_of()`;
 // hence `next()` needs neither memory nor division. A halfedge of the boundary has no opposite. Every change can be
 // recorded in a journal and taken back: a search may try thousands of sequences of changes and keep none.
+//
+// Edges may be constrained: those that cover a line, of which the boundary is one. Flips, collapses and splits keep the lines
+// what they are: their edges are shortened or divided along them, and never leave them.
 class Lean_triangulation
 {
 public:
   using Index = std::uint32_t;
   static constexpr Index none = static_cast<Index>(-1);
 
-  explicit Lean_triangulation(const Mesh& mesh);
+  explicit Lean_triangulation(const Mesh& mesh) : Lean_triangulation(mesh, [](Edge) { return false; }) {}
+
+  // `is_line(e)` tells the constrained edges; those of the boundary need not be told.
+  template <class Is_line> Lean_triangulation(const Mesh& mesh, const Is_line& is_line);
 
   static Index face(const Index h) { return h >> 2; }
   static Index next(const Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
@@ -45,7 +51,10 @@ public:
   Index apex(const Index h) const { return field_[corner][previous(h)]; }
   Index opposite(const Index h) const { return field_[across][h]; }
 
+  bool is_constrained(const Index h) const { return (field_[across][h | 3] >> (h & 3) & 1) != 0; }
+
   // The outgoing halfedges of a vertex, counterclockwise: starts at halfedge(v), ends at `none` (boundary) or there again.
+  // The first is that of the boundary, where there is one; else a constrained one, where there is one.
   Index halfedge(const Index v) const { return field_[outgoing][v]; }
   Index rotate(const Index h) const { return opposite(previous(h)); }
 
@@ -53,6 +62,7 @@ public:
   bool is_removed(const Index v) const { return field_[degree][v] == 0; }
   bool is_removed_face(const Index f) const { return field_[corner][4 * f] == none; }
   bool is_border(const Index v) const { return opposite(halfedge(v)) == none; }
+  bool is_on_line(const Index v) const { return is_constrained(halfedge(v)); }
 
   // Numbers of slots, removed ones included: the bounds of loops over vertices and faces.
   Index vertex_slots() const { return static_cast<Index>(field_[degree].size()); }
@@ -90,14 +100,25 @@ public:
     return found;
   }
 
-  // Flips that make double edges or a vertex with less than three neighbours are not legal.
+  // The number of constrained edges at a vertex
+  Index line_degree(const Index v) const
+  {
+    Index number = is_border(v);     // of the boundary's two edges only one is an outgoing halfedge
+    for_each_outgoing(v, [&](const Index h) { number += is_constrained(h); });
+    return number;
+  }
+
+  // Flips that make double edges or a vertex with less than three neighbours (two at the boundary) are not legal, nor are
+  // those of constrained edges.
   bool is_flip_legal(Index h) const;
   Index flip(Index h);             // returns a halfedge of the new edge
+  // A vertex on a line disappears only along it and where it does not end or branch; two lines never become one.
   bool is_collapse_legal(Index h) const;
   void collapse(Index h);          // target(h) disappears
-  // The inverse of a collapse: the new vertex takes over the faces of v counterclockwise from h1 to h2, outgoing
+  // The inverse of a collapse of an inner vertex: the new vertex takes over the faces of v counterclockwise from h1 to h2, outgoing
   // halfedges of an inner vertex v with at least one halfedge between them; source(h1) and the new vertex become neighbours.
   Index split(Index h1, Index h2);
+  Index split_edge(Index h);       // a new vertex between source(h) and target(h)
 
   void record() { is_recording_ = true; }
   std::size_t mark() const { return journal_.size(); }
@@ -118,6 +139,18 @@ private:
     place = value;
   }
 
+  // The fourth slot of a face has no halfedge: there the bits of the other three are kept.
+  void constrain(const Index h, const bool value)
+  {
+    const Index bits = field_[across][h | 3], bit = Index(1) << (h & 3);
+    if(((bits & bit) != 0) != value)
+      set(across, h | 3, bits ^ bit);
+  }
+
+  bool is_degree_left(const Index v, const Index least) const { return valence(v) > (is_border(v) ? least - 1 : least); }
+  Index line_between(Index first, Index last) const;
+  void merge_edges(Index x, Index y, bool is_line);
+
   void glue(const Index h, const Index o)
   {
     if(h != none) set(across, h, o);
@@ -134,7 +167,7 @@ private:
   bool is_recording_ = false;
 };
 
-inline Lean_triangulation::Lean_triangulation(const Mesh& mesh)
+template <class Is_line> Lean_triangulation::Lean_triangulation(const Mesh& mesh, const Is_line& is_line)
 {
   CGAL_precondition(!mesh.has_garbage());
   const std::size_t n = mesh.number_of_vertices();
@@ -152,106 +185,21 @@ inline Lean_triangulation::Lean_triangulation(const Mesh& mesh)
       field_[corner][4 * f + i] = mesh.source(h);
     }
   }
+  for(Index f = 0; f < face_slots(); ++f)
+    field_[across][4 * f + 3] = 0;
   for(const Halfedge h : mesh.halfedges()) {
     if(number[h] == none)
       continue;
-    const Index o = number[mesh.opposite(h)], v = mesh.source(h);
+    const Index o = number[mesh.opposite(h)], v = mesh.source(h), first = field_[outgoing][v];
     field_[across][number[h]] = o;
     field_[degree][v] += 1;
-    // The first halfedge counterclockwise, at the boundary; elsewhere any, so the last one seen.
-    if(field_[outgoing][v] == none || opposite(field_[outgoing][v]) != none)
+    constrain(number[h], o == none || is_line(mesh.edge(h)));
+    // Where there is no line any halfedge, so the last one seen.
+    if(first == none || o == none || (opposite(first) != none && (is_constrained(number[h]) || !is_constrained(first))))
       field_[outgoing][v] = number[h];
     if(o == none)
       field_[degree][mesh.target(h)] += 1;
   }
-}
-
-inline bool Lean_triangulation::is_flip_legal(const Index h) const
-{
-  const Index o = opposite(h);
-  if(o == none)
-    return false;
-  const Index c = apex(h), d = apex(o);
-  return valence(source(h)) > 3 && valence(target(h)) > 3 && c != d && !are_neighbors(c, d);
-}
-
-inline Lean_triangulation::Index Lean_triangulation::flip(const Index h)
-{
-  // (a,b,c) and (b,a,d) become (a,d,c) and (b,c,d).
-  const Index o = opposite(h), hn = next(h), on = next(o);
-  const Index a = source(h), b = source(o), c = apex(h), d = apex(o);
-  const Index bc = opposite(hn), ad = opposite(on);
-  set(corner, hn, d);
-  set(corner, on, c);
-  glue(hn, on);
-  set(across, h, ad);
-  if(ad != none) set(across, ad, h);
-  set(across, o, bc);
-  if(bc != none) set(across, bc, o);
-  if(halfedge(a) == on) set(outgoing, a, h);
-  if(halfedge(b) == hn) set(outgoing, b, o);
-  set(degree, a, valence(a) - 1);
-  set(degree, b, valence(b) - 1);
-  set(degree, c, valence(c) + 1);
-  set(degree, d, valence(d) + 1);
-  return hn;
-}
-
-inline bool Lean_triangulation::is_collapse_legal(const Index h) const
-{
-  const Index o = opposite(h);
-  if(o == none)
-    return false;
-  const Index a = source(h), b = target(h), c = apex(h), d = apex(o);
-  if(is_border(b) || valence(c) < 4 || valence(d) < 4 || valence(a) + valence(b) < 7)
-    return false;
-  // Link condition: a and b have no other neighbours in common than c and d.
-  Index common = 0;
-  for_each_neighbor(b, [&](const Index x) { common += are_neighbors(a, x); });
-  return common == 2;
-}
-
-inline void Lean_triangulation::collapse(const Index h)
-{
-  const Index o = opposite(h), hn = next(h), hp = previous(h), on = next(o), op = previous(o);
-  const Index a = source(h), b = source(o), c = source(hp), d = source(op);
-  const Index x = opposite(hn), y = opposite(hp), z = opposite(on), w = opposite(op);
-  set(degree, a, valence(a) + valence(b) - 4);
-  set(degree, c, valence(c) - 1);
-  set(degree, d, valence(d) - 1);
-  for(Index g = w; g != hn; g = rotate(g))
-    set(corner, g, a);
-  if(halfedge(a) == h) set(outgoing, a, y);
-  if(halfedge(a) == on) set(outgoing, a, w);
-  if(halfedge(c) == hp) set(outgoing, c, x);
-  if(halfedge(d) == op) set(outgoing, d, z);
-  glue(x, y);
-  glue(z, w);
-  remove_face(face(h));
-  remove_face(face(o));
-  remove_vertex(b);
-}
-
-inline Lean_triangulation::Index Lean_triangulation::split(const Index h1, const Index h2)
-{
-  const Index v = source(h1), c = target(h1), d = target(h2);
-  const Index o1 = opposite(h1), p2 = opposite(h2), w = new_vertex();
-  Index taken = 0;
-  for(Index g = h1; g != h2; g = rotate(g), ++taken)
-    set(corner, g, w);
-  const Index f1 = new_face(v, c, w), f2 = new_face(w, d, v);
-  glue(4 * f1, o1);
-  glue(4 * f1 + 1, h1);
-  glue(4 * f1 + 2, 4 * f2 + 2);
-  glue(4 * f2, p2);
-  glue(4 * f2 + 1, h2);
-  set(outgoing, w, h1);
-  set(outgoing, v, h2);
-  set(degree, w, taken + 2);
-  set(degree, v, valence(v) - taken + 2);
-  set(degree, c, valence(c) + 1);
-  set(degree, d, valence(d) + 1);
-  return w;
 }
 
 inline void Lean_triangulation::undo_to(const std::size_t mark)
@@ -295,6 +243,7 @@ inline Lean_triangulation::Index Lean_triangulation::new_face(const Index u, con
   const Index f = field_[counts][free_face];
   CGAL_precondition(f != none);
   set(counts, free_face, field_[across][4 * f]);
+  set(across, 4 * f + 3, 0);
   set(corner, 4 * f, u);
   set(corner, 4 * f + 1, v);
   set(corner, 4 * f + 2, w);
@@ -320,5 +269,7 @@ inline void Lean_triangulation::remove_face(const Index f)
 } // namespace internal
 } // namespace Geodesic_remeshing
 } // namespace CGAL
+
+#include <CGAL/Geodesic_remeshing/internal/Lean_triangulation_changes.h>
 
 #endif // CGAL_GEODESIC_REMESHING_INTERNAL_LEAN_TRIANGULATION_H

@@ -145,7 +145,8 @@ inline bool Polish::better_by_collapse(const Index h)
 {
   if(remeshed_.is_fixed(table_.target(h)) || !table_.is_collapse_legal(h))
     return false;
-  const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(table_.opposite(h));
+  const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
+  const Index d = o == Lean_triangulation::none ? a : table_.apex(o);
   const double before = badness_around({{a, b, c, d}});
   remeshed_.record();
   table_.collapse(h);

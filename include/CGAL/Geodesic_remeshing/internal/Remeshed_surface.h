@@ -10,9 +10,12 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_REMESHED_SURFACE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_REMESHED_SURFACE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
+#include <CGAL/Geodesic_remeshing/internal/Line_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
 #include <CGAL/number_utils.h>
 
@@ -44,7 +47,7 @@ inline double add_badness(const double x, const double y)
 }
 
 // The triangulation under improvement: its connectivity, and for each vertex its place on the surface with the point and
-// the surface's normal there. Vertices move by walking only; so they are on the surface at any time.
+// the surface's normal there. Vertices move by walking only; so they are on the surface at any time. Those on lines slide.
 class Remeshed_surface
 {
 public:
@@ -52,15 +55,18 @@ public:
 
   struct Spot { Point point; Place place; Vector normal; };
 
-  Remeshed_surface(const Surface_walker& walker, const Mesh& mesh, const Mesh::Property_map<Vertex, Place>& place,
-                   const Mesh::Property_map<Vertex, bool>& pinned);
+  Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
+                   const Mesh::Property_map<Vertex, Place>& place, const Mesh::Property_map<Vertex, bool>& pinned,
+                   const Mesh::Property_map<Edge, bool>& constrained);
 
   const Surface_walker& walker() const { return walker_; }
   Lean_triangulation& connectivity() { return connectivity_; }
   const Lean_triangulation& connectivity() const { return connectivity_; }
 
-  // A vertex that has to stay where it is.
-  bool is_fixed(const Index v) const { return pinned_[v] || connectivity_.is_border(v); }
+  // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere.
+  bool is_fixed(const Index v) const { return pinned_[v]; }
+  bool is_on_line(const Index v) const { return has_lines_ && connectivity_.is_on_line(v); }
+  bool is_free(const Index v) const { return !is_fixed(v) && !is_on_line(v); }
 
   const Spot& spot(const Index v) const { return spots_[v]; }
   void put(const Index v, const Spot& spot)
@@ -71,6 +77,8 @@ public:
   }
   Spot spot_after(Index v, const Vector& displacement) const;
   Spot spot_at_vertex(Index x) const;           // of the input
+  Spot spot_on_line(const Place& place) const { return {walker_.point(place), place, normal_on_line(place)}; }
+  bool find_middle(Index h, Spot& middle) const;  // of an edge, on its line if it is on one
   void pin(const Index v)
   {
     pinned_[v] = true;
@@ -89,50 +97,83 @@ public:
   double badness(Index u, Index v, Index w) const;
   double ring_badness(Index v) const;
   Vector way_to_center_of_neighbors(Index v) const;
+  template <class Visit> void for_each_neighbor_on_line(const Index v, const Visit& visit) const
+  {
+    connectivity_.for_each_outgoing(v, [&](const Index h) {
+      if(connectivity_.is_constrained(h))
+        visit(connectivity_.target(h));
+      if(connectivity_.opposite(Lean_triangulation::previous(h)) == Lean_triangulation::none)
+        visit(connectivity_.apex(h));
+    });
+  }
 
   // How far the valence is from the regular one. Its square summed over the vertices is the energy that flips, collapses
   // and splits lower; what one of them would add to it needs no trial. Two of valence 5 have less of it than one of
   // valence 4; where the irregular vertices cannot vanish, flips merge them if their number counts rather than the squares.
-  int excess(const Index v) const
+  // Lines divide the ring of a vertex into sectors, each with a regular number of faces and an excess of its own.
+  int excess_at(const Index h) const   // of the sector of face(h) at source(h)
   {
-    return static_cast<int>(connectivity_.valence(v)) - (connectivity_.is_border(v) ? 4 : 6);
+    const Index v = connectivity_.source(h);
+    return is_on_line(v) ? excess_in_sector(h) : static_cast<int>(connectivity_.valence(v)) - 6;
   }
+  bool is_irregular(Index v) const;
   void let_numbers_count(const bool value) { do_numbers_count_ = value; }
   int energy_of_flip(Index h) const;
   int energy_of_collapse(Index h) const;
+  int energy_of_edge_split(Index h) const;
 
   void write_back(Mesh& mesh, Mesh::Property_map<Vertex, Place> place,
-                  Mesh::Property_map<Vertex, bool> pinned) const;
+                  Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained) const;
 
 private:
   int energy(int excess) const;
-  void write_faces(Mesh& mesh, const std::vector<Vertex>& vertex) const;
+  int energy_of_half_collapse(Index h) const;
+  int excess_in_sector(Index h) const;
+  void count_regular_faces(Index v);
+  Vector normal_on_line(const Place& place) const;
+  bool is_turned_between_lines(const std::array<Index, 3>& corners, const Vector& normal) const;
+  void write_faces(Mesh& mesh, const std::vector<Vertex>& vertex, Mesh::Property_map<Edge, bool> constrained) const;
 
   const Surface_walker& walker_;
+  const Line_walker lines_;
+  const bool has_lines_;
   Lean_triangulation connectivity_;
   std::vector<Spot> spots_;
   std::vector<char> pinned_;
   std::vector<Index> pinned_here_;
+  std::vector<Index> first_sector_;            // of a vertex: the first of its entries in `regular_faces_`, or `none`
+  std::vector<int> regular_faces_;             // a sector, counterclockwise from the vertex' first halfedge
   std::vector<std::pair<Index, Spot>> journal_;
   bool is_recording_ = false, do_numbers_count_ = false;
 };
 
-inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Mesh& mesh,
+inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
                                           const Mesh::Property_map<Vertex, Place>& place,
-                                          const Mesh::Property_map<Vertex, bool>& pinned)
-  : walker_(walker), connectivity_(mesh)
+                                          const Mesh::Property_map<Vertex, bool>& pinned,
+                                          const Mesh::Property_map<Edge, bool>& constrained)
+  : walker_(walker), lines_(walker, constraints), has_lines_(!lines_.empty())
+  , connectivity_(mesh, [&](const Edge e) { return constrained[e]; })
 {
   spots_.reserve(mesh.number_of_vertices());
   pinned_.reserve(mesh.number_of_vertices());
   for(const Vertex v : mesh.vertices()) {
-    // A pinned vertex is a tip, where the normal of one face says nothing.
-    spots_.push_back({walker.point(place[v]), place[v], pinned[v] ? Vector(0., 0., 0.) : walker.normal(place[v].face)});
+    // A pinned vertex is a tip or a corner, where the normal of one face says nothing.
+    const Vector normal = pinned[v] ? Vector(0., 0., 0.)
+                        : is_on_line(v) ? normal_on_line(place[v]) : walker.normal(place[v].face);
+    spots_.push_back({walker.point(place[v]), place[v], normal});
     pinned_.push_back(pinned[v]);
   }
+  if(has_lines_)
+    first_sector_.assign(mesh.number_of_vertices(), Lean_triangulation::none);
+  for(Index v = 0; v < first_sector_.size(); ++v)
+    if(pinned_[v] && is_on_line(v))
+      count_regular_faces(v);
 }
 
 inline Remeshed_surface::Spot Remeshed_surface::spot_after(const Index v, const Vector& displacement) const
 {
+  if(is_on_line(v))
+    return spot_on_line(lines_.slide(spots_[v].place, displacement));
   const Place place = walker_.walk(spots_[v].place, displacement);
   return {walker_.point(place), place, walker_.normal(place.face)};
 }
@@ -158,6 +199,8 @@ inline void Remeshed_surface::reserve_free(const Index number_of_splits)
   connectivity_.reserve_free(number_of_splits);
   spots_.resize(connectivity_.vertex_slots());
   pinned_.resize(connectivity_.vertex_slots(), false);
+  if(has_lines_)
+    first_sector_.resize(connectivity_.vertex_slots(), Lean_triangulation::none);
 }
 
 inline void Remeshed_surface::undo_to(const Mark mark)
@@ -180,7 +223,8 @@ inline double Remeshed_surface::badness(const Index u, const Index v, const Inde
   const Vector a = t.point - s.point, b = r.point - s.point, c = r.point - t.point;
   const Vector normal = cross_product(a, b);
   // Against the mean normal: at a crease a single one may point anywhere.
-  if(normal * (s.normal + t.normal + r.normal) < 0.)
+  const double side = normal * (s.normal + t.normal + r.normal);
+  if(side < 0. || (has_lines_ && !(side > 0.) && is_turned_between_lines({{u, v, w}}, normal)))
     return turned_badness;
   // The smallest angle is opposite the shortest edge; the scalar product there is (sum of squares)/2 - shortest square.
   const double x = a.squared_length(), y = b.squared_length(), z = c.squared_length();
@@ -202,8 +246,12 @@ inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
 {
   const Point& p = spots_[v].point;
   Vector sum(0., 0., 0.);
-  connectivity_.for_each_neighbor(v, [&](const Index w) { sum = sum + (spots_[w].point - p); });
-  return sum / static_cast<double>(connectivity_.valence(v));
+  if(!is_on_line(v)) {
+    connectivity_.for_each_neighbor(v, [&](const Index w) { sum = sum + (spots_[w].point - p); });
+    return sum / static_cast<double>(connectivity_.valence(v));
+  }
+  for_each_neighbor_on_line(v, [&](const Index w) { sum = sum + (spots_[w].point - p); });
+  return .5 * sum;
 }
 
 inline int Remeshed_surface::energy(const int excess) const
@@ -216,21 +264,141 @@ inline int Remeshed_surface::energy(const int excess) const
 inline int Remeshed_surface::energy_of_flip(const Index h) const
 {
   const Index o = connectivity_.opposite(h);
-  const int a = excess(connectivity_.source(h)), b = excess(connectivity_.target(h));
-  const int c = excess(connectivity_.apex(h)), d = excess(connectivity_.apex(o));
+  const int a = excess_at(h), b = excess_at(o);
+  const int c = excess_at(Lean_triangulation::previous(h)), d = excess_at(Lean_triangulation::previous(o));
   return energy(a - 1) - energy(a) + energy(b - 1) - energy(b) + energy(c + 1) - energy(c) + energy(d + 1) - energy(d);
 }
 
 inline int Remeshed_surface::energy_of_collapse(const Index h) const
 {
   const Index o = connectivity_.opposite(h);
-  const int a = excess(connectivity_.source(h)), b = excess(connectivity_.target(h));
-  const int c = excess(connectivity_.apex(h)), d = excess(connectivity_.apex(o));
+  if(connectivity_.is_constrained(h))
+    return energy_of_half_collapse(h) + (o == Lean_triangulation::none ? 0 : energy_of_half_collapse(o));
+  const int a = excess_at(h), b = excess_at(o);
+  const int c = excess_at(Lean_triangulation::previous(h)), d = excess_at(Lean_triangulation::previous(o));
   return (a + b + 2) * (a + b + 2) - a * a - b * b + 2 - 2 * c - 2 * d;
 }
 
+// That of one side of a line
+inline int Remeshed_surface::energy_of_half_collapse(const Index h) const
+{
+  const int a = excess_at(h), b = excess_at(Lean_triangulation::next(h)), c = excess_at(Lean_triangulation::previous(h));
+  return (a + b + 1) * (a + b + 1) - a * a - b * b + 1 - 2 * c;
+}
+
+// A new vertex on a line has two faces on each side where three are regular; another has four where six are.
+inline int Remeshed_surface::energy_of_edge_split(const Index h) const
+{
+  const Index o = connectivity_.opposite(h);
+  const int c = 1 + 2 * excess_at(Lean_triangulation::previous(h));
+  const int d = o == Lean_triangulation::none ? 0 : 1 + 2 * excess_at(Lean_triangulation::previous(o));
+  return c + d + (!connectivity_.is_constrained(h) ? 4 : o == Lean_triangulation::none ? 1 : 2);
+}
+
+inline int Remeshed_surface::excess_in_sector(const Index h) const
+{
+  const Index v = connectivity_.source(h), first = connectivity_.halfedge(v);
+  Index sector = 0;
+  int faces = 0;
+  bool is_found = false;
+  Index g = first;
+  do {
+    if(connectivity_.is_constrained(g) && g != first) {
+      if(is_found)
+        break;
+      ++sector;
+      faces = 0;
+    }
+    ++faces;
+    is_found = is_found || g == h;
+    g = connectivity_.rotate(g);
+  } while(g != first && g != Lean_triangulation::none);
+  return faces - (first_sector_[v] == Lean_triangulation::none ? 3 : regular_faces_[first_sector_[v] + sector]);
+}
+
+inline bool Remeshed_surface::is_irregular(const Index v) const
+{
+  bool result = false;
+  if(!is_on_line(v))
+    return excess_at(connectivity_.halfedge(v)) != 0;
+  connectivity_.for_each_outgoing(v, [&](const Index h) { result = result || excess_in_sector(h) != 0; });
+  return result;
+}
+
+// At a corner as many faces are regular in a sector as make its angle's parts nearest to 60 degrees.
+inline void Remeshed_surface::count_regular_faces(const Index v)
+{
+  const Index first = connectivity_.halfedge(v);
+  first_sector_[v] = static_cast<Index>(regular_faces_.size());
+  std::vector<double> angles;
+  connectivity_.for_each_outgoing(v, [&](const Index h) {
+    if(h == first || connectivity_.is_constrained(h))
+      angles.push_back(0.);
+    const Vector a = spots_[connectivity_.target(h)].point - spots_[v].point;
+    const Vector b = spots_[connectivity_.apex(h)].point - spots_[v].point;
+    angles.back() += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+  });
+  // Right angles are common and as good in one part as in two; two it is, whatever the rounding.
+  for(const double angle : angles)
+    regular_faces_.push_back((std::max)(1, static_cast<int>(angle * 3. / CGAL_PI + .51)));
+}
+
+// None where the faces that meet there look different ways.
+inline Vector Remeshed_surface::normal_on_line(const Place& place) const
+{
+  constexpr double least_cosine = .7;
+  Vector sum(0., 0., 0.);
+  walker_.for_each_face_at(place, [&](const Face f) { sum = sum + walker_.normal(f); });
+  const double length = std::sqrt(sum.squared_length());
+  bool is_smooth = length > 0.;
+  walker_.for_each_face_at(place, [&](const Face f) {
+    is_smooth = is_smooth && walker_.normal(f) * sum >= least_cosine * length;
+  });
+  return is_smooth ? sum / length : Vector(0., 0., 0.);
+}
+
+// A face between creases is one of a side of each: it is turned if at one of its corners no side looks its way.
+inline bool Remeshed_surface::is_turned_between_lines(const std::array<Index, 3>& corners, const Vector& normal) const
+{
+  for(const Index v : corners) {
+    bool is_seen = false;
+    walker_.for_each_face_at(spots_[v].place, [&](const Face f) { is_seen = is_seen || walker_.normal(f) * normal > 0.; });
+    if(!is_seen)
+      return true;
+  }
+  return false;
+}
+
+inline bool Remeshed_surface::find_middle(const Index h, Spot& middle) const
+{
+  Index from = connectivity_.source(h), to = connectivity_.target(h), beside = to;
+  if(connectivity_.is_constrained(h)) {
+    if(is_fixed(from))
+      std::swap(from, to);
+    for_each_neighbor_on_line(from, [&](const Index w) { beside = w == to ? beside : w; });
+    const Place place = lines_.middle(spots_[from].place, spots_[to].place, spots_[beside].place);
+    if(place.face.is_valid())
+      middle = spot_on_line(place);
+    return place.face.is_valid();
+  }
+  // Into the face, of those beside the line, from which the way leads there.
+  const Vector way = .5 * (spots_[to].point - spots_[from].point);
+  double least = infinity;
+  walker_.for_each_face_at(spots_[from].place, [&](const Face f) {
+    const Place place = walker_.walk({f, coordinates_in(walker_.surface(), spots_[from].place, f)}, way);
+    const Point point = walker_.point(place);
+    const double distance = squared_distance(point, spots_[from].point + way);
+    if(distance < least) {
+      least = distance;
+      middle = {point, place, walker_.normal(place.face)};
+    }
+  });
+  return least < infinity;
+}
+
 inline void Remeshed_surface::write_back(Mesh& mesh, Mesh::Property_map<Vertex, Place> place,
-                                         Mesh::Property_map<Vertex, bool> pinned) const
+                                         Mesh::Property_map<Vertex, bool> pinned,
+                                         Mesh::Property_map<Edge, bool> constrained) const
 {
   mesh.clear_without_removing_property_maps();
   std::vector<Vertex> vertex(connectivity_.vertex_slots());
@@ -241,11 +409,12 @@ inline void Remeshed_surface::write_back(Mesh& mesh, Mesh::Property_map<Vertex, 
     place[vertex[v]] = spots_[v].place;
     pinned[vertex[v]] = pinned_[v];
   }
-  write_faces(mesh, vertex);
+  write_faces(mesh, vertex, constrained);
 }
 
 // Sets the links one by one: `add_face()` would have to find out what is known here.
-inline void Remeshed_surface::write_faces(Mesh& mesh, const std::vector<Vertex>& vertex) const
+inline void Remeshed_surface::write_faces(Mesh& mesh, const std::vector<Vertex>& vertex,
+                                          Mesh::Property_map<Edge, bool> constrained) const
 {
   const Lean_triangulation& table = connectivity_;
   std::vector<Halfedge> halfedge(4 * table.face_slots());
@@ -257,6 +426,7 @@ inline void Remeshed_surface::write_faces(Mesh& mesh, const std::vector<Vertex>&
   for_each_halfedge([&](const Index h) {
     const Index o = table.opposite(h);
     halfedge[h] = o < h ? mesh.opposite(halfedge[o]) : mesh.add_edge(vertex[table.source(h)], vertex[table.target(h)]);
+    constrained[mesh.edge(halfedge[h])] = table.is_constrained(h);
   });
   for(Index f = 0; f < table.face_slots(); ++f) {
     if(table.is_removed_face(f))

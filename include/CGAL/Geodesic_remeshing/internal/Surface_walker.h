@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_SURFACE_WALKER_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_SURFACE_WALKER_H
 
+#include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
@@ -35,17 +36,20 @@ class Surface_walker
 public:
   using Index = Lean_triangulation::Index;
 
-  explicit Surface_walker(const Mesh& surface);
+  explicit Surface_walker(const Mesh& surface, const Constraints& constraints = Constraints());
 
-  // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends at the
-  // boundary, and after `maximum_number_of_crossings_` (a way around a degenerate vertex need not end).
+  // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends before the lines,
+  // of which the boundary is one, and after `maximum_number_of_crossings_` (a way around a degenerate vertex need not end).
   Place walk(const Place& from, const Vector& displacement) const;
 
   // Unit normal of a face; that of a neighbour for a face without area; zero where there is none.
   const Vector& normal(const Face f) const { return normals_[f]; }
   Point point(const Place& place) const;
   const Mesh& surface() const { return surface_; }
-  const Lean_triangulation& triangulation() const { return triangulation_; }
+  const Lean_triangulation& triangulation() const { return triangulation_; }   // its constrained edges are the lines
+
+  // The faces that a place is in: one, two at an edge, all around at a vertex.
+  template <class Visit> void for_each_face_at(const Place& place, const Visit& visit) const;
 
 private:
   // The face's apex over a halfedge in the frame where the halfedge goes from (0,0) to (1,0).
@@ -63,9 +67,9 @@ private:
   std::size_t maximum_number_of_crossings_;
 };
 
-inline Surface_walker::Surface_walker(const Mesh& surface)
+inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& constraints)
   : surface_(surface)
-  , triangulation_(surface)
+  , triangulation_(surface, [&](const Edge e) { return !constraints.is_line.empty() && constraints.is_line[e.idx()]; })
   , normals_(surface.number_of_faces())
   , apices_(4 * surface.number_of_faces())
   // A straight way through a mesh crosses some sqrt(faces) edges; the constant is generous, for elongated meshes.
@@ -129,6 +133,23 @@ inline Point Surface_walker::point(const Place& place) const
                c[0] * p.z() + c[1] * q.z() + c[2] * r.z());
 }
 
+template <class Visit> void Surface_walker::for_each_face_at(const Place& place, const Visit& visit) const
+{
+  const auto& c = place.coordinates;
+  const Index f = place.face, zeros = !(c[0] > 0.) + !(c[1] > 0.) + !(c[2] > 0.);
+  if(zeros < 2) {
+    visit(place.face);
+    const Index edge = !(c[0] > 0.) ? 1 : !(c[1] > 0.) ? 2 : 0;
+    const Index o = zeros == 1 ? triangulation_.opposite(4 * f + edge) : Lean_triangulation::none;
+    if(o != Lean_triangulation::none)
+      visit(Face(Lean_triangulation::face(o)));
+    return;
+  }
+  const Index corner = c[0] > 0. ? 0 : c[1] > 0. ? 1 : 2;
+  triangulation_.for_each_outgoing(triangulation_.source(4 * f + corner),
+                                   [&](const Index h) { visit(Face(Lean_triangulation::face(h))); });
+}
+
 // The displacement as the change of the barycentric coordinates.
 inline std::array<double, 3> Surface_walker::velocity(const Face f, const Vector& displacement) const
 {
@@ -181,16 +202,18 @@ inline Place Surface_walker::walk(const Place& from, const Vector& displacement)
         time = at[i] / -by[i];
         exit = i;
       }
+    const Index h = 4 * f + (exit + 1) % 3;
+    const bool is_stopped = exit != 3 && triangulation_.is_constrained(h);
+    if(is_stopped)
+      time *= .5; // not onto the line, where there is no place but for the line's own vertices
     for(Index i = 0; i < 3; ++i) {
       at[i] += time * by[i];
       by[i] *= 1. - time;
     }
-    if(exit == 3)
+    if(exit == 3 || is_stopped)
       break;
     at[exit] = 0.;
-    const Index h = 4 * f + (exit + 1) % 3, o = triangulation_.opposite(h);
-    if(o == Lean_triangulation::none)
-      break;
+    const Index o = triangulation_.opposite(h);
     cross(h, o, at, by);
     f = Lean_triangulation::face(o);
   }

@@ -81,10 +81,10 @@ inline double Tip_recovery::ring_distance(const Index x, const Index v) const
   return least;
 }
 
-// Farther than all neighbours; the index decides among equals.
+// Farther than all neighbours; the index decides among equals. What is on a line is left to the vertices of the line.
 inline bool Tip_recovery::is_tip(const Index x) const
 {
-  bool is_farthest = true;
+  bool is_farthest = !input_.is_on_line(x);
   input_.for_each_neighbor(x, [&](const Index y) {
     is_farthest = is_farthest && (squared_distance_[y] < squared_distance_[x] ||
                                   (!(squared_distance_[x] < squared_distance_[y]) && x < y));
@@ -95,13 +95,13 @@ inline bool Tip_recovery::is_tip(const Index x) const
 inline Tip_recovery::Index Tip_recovery::vertex_to_send(const Index x) const
 {
   const Index v = nearest_[x];
-  if(!remeshed_.is_fixed(v))
+  if(remeshed_.is_free(v))
     return v;
   Index best = Lean_triangulation::none;
   double least = infinity;
   table_.for_each_neighbor(v, [&](const Index w) {
     const double distance = CGAL::squared_distance(input_point(x), remeshed_.spot(w).point);
-    if(!remeshed_.is_fixed(w) && distance < least) {
+    if(remeshed_.is_free(w) && distance < least) {
       least = distance;
       best = w;
     }

@@ -25,7 +25,8 @@ namespace internal {
 
 // Brings the number of vertices to the one asked for, by collapses and splits where they cost least regularity: at a
 // 5-7 pair they cost none (the pair moves over by one row), in a regular part they make new irregular vertices.
-// Among equals the shortest edges go, and the widest rings are divided.
+// Among equals the shortest edges go, and the widest rings are divided. The vertices of lines have their own spacing: their
+// number changes only where they are too near or too far from each other, or if nothing else is left.
 class Vertex_count
 {
 public:
@@ -38,7 +39,7 @@ public:
   bool reach(std::size_t number_of_vertices);
 
 private:
-  // The collapse of h, or, where `other` is given, the split of the source of both between them.
+  // The collapse of h, or, where `other` is given, the split of the source of both between them, or that of h itself.
   struct Change
   {
     double cost; Index h, other;
@@ -51,8 +52,12 @@ private:
   std::size_t apply(std::size_t number);
   bool collapse(Index h);
   bool split(Index h, Index other);
+  bool split_edge(Index h);
+  void find_edge_splits();
   bool settle(const std::array<Index, 4>& changed);
-  double size_cost(Index h) const;
+  double size_cost(Index v, Index w) const;
+  double cost_of_lines(Index h) const;
+  std::array<Index, 4> corners(Index h) const;
   bool is_touched(const Change& change) const;
 
   Remeshed_surface& remeshed_;
@@ -71,6 +76,7 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
     if(n < number_of_vertices) {
       remeshed_.reserve_free(static_cast<Index>(number));
       find_splits();
+      find_edge_splits();
     }
     else
       find_collapses();
@@ -83,18 +89,39 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
 }
 
 // The length of an edge weighs as much as one step of the energy (2) when it is off by the whole edge length.
-inline double Vertex_count::size_cost(const Index h) const
+inline double Vertex_count::size_cost(const Index v, const Index w) const
 {
-  const double length = squared_distance(remeshed_.spot(table_.source(h)).point, remeshed_.spot(table_.target(h)).point);
-  return 2. * length / squared_edge_length_;
+  return 2. * squared_distance(remeshed_.spot(v).point, remeshed_.spot(w).point) / squared_edge_length_;
+}
+
+// Of an edge between lines: what is added to the cost of its collapse, which leaves a longer edge on the line.
+inline double Vertex_count::cost_of_lines(const Index h) const
+{
+  constexpr double last_resort = 1000., longest = 2. * 1.3 * 1.3;
+  double length = 0.;
+  remeshed_.for_each_neighbor_on_line(table_.target(h), [&](const Index w) {
+    length = (std::max)(length, size_cost(table_.source(h), w));
+  });
+  return length > longest ? last_resort : 0.;
+}
+
+// Of the two faces of an edge; at the boundary, where there is one, the source takes the place of the fourth.
+inline std::array<Vertex_count::Index, 4> Vertex_count::corners(const Index h) const
+{
+  const Index o = table_.opposite(h), a = table_.source(h);
+  return {{a, table_.target(h), table_.apex(h), o == Lean_triangulation::none ? a : table_.apex(o)}};
 }
 
 inline void Vertex_count::find_collapses()
 {
   for(Index f = 0; f < table_.face_slots(); ++f) {
-    for(Index h = 4 * f; h < 4 * f + 3 && !table_.is_removed_face(f); ++h)
-      if(table_.opposite(h) != Lean_triangulation::none && !remeshed_.is_fixed(table_.target(h)))
-        changes_.push_back({remeshed_.energy_of_collapse(h) + size_cost(h), h, Lean_triangulation::none});
+    for(Index h = 4 * f; h < 4 * f + 3 && !table_.is_removed_face(f); ++h) {
+      const Index v = table_.source(h), w = table_.target(h);
+      const bool is_line = table_.is_constrained(h);
+      if(is_line ? !remeshed_.is_fixed(w) : remeshed_.is_free(w))
+        changes_.push_back({remeshed_.energy_of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.), h,
+                            Lean_triangulation::none});
+    }
   }
 }
 
@@ -102,7 +129,7 @@ inline void Vertex_count::find_collapses()
 inline void Vertex_count::find_splits()
 {
   for(Index v = 0; v < table_.vertex_slots(); ++v) {
-    if(table_.is_removed(v) || table_.is_border(v))
+    if(table_.is_removed(v) || remeshed_.is_on_line(v))
       continue;
     const int valence = static_cast<int>(table_.valence(v)), half = valence / 2;
     Change best{infinity, Lean_triangulation::none, Lean_triangulation::none};
@@ -111,14 +138,29 @@ inline void Vertex_count::find_splits()
     for(int i = 0; i < half; ++i)
       across = table_.rotate(across);
     table_.for_each_outgoing(v, [&](const Index h) {
-      const double cost = 2. * (remeshed_.excess(table_.target(h)) + remeshed_.excess(table_.target(across)));
+      const double cost = 2. * (remeshed_.excess_at(Lean_triangulation::next(h)) +
+                                remeshed_.excess_at(Lean_triangulation::next(across)));
       best = (std::min)(best, Change{cost, h, across});
-      size += size_cost(h);
+      size += size_cost(v, table_.target(h));
       across = table_.rotate(across);
     });
     const int one = half + 2 - 6, two = valence - half + 2 - 6, excess = valence - 6;
     best.cost += one * one + two * two - excess * excess + 2 - size / valence;
     changes_.push_back(best);
+  }
+}
+
+inline void Vertex_count::find_edge_splits()
+{
+  constexpr double last_resort = 1000., shortest = 2. * 1.5 * 1.5;
+  for(Index h = 0; h < 4 * table_.face_slots(); ++h) {
+    if((h & 3) == 3 || table_.is_removed_face(Lean_triangulation::face(h)) || table_.opposite(h) < h)
+      continue;
+    const Index v = table_.source(h), w = table_.target(h);
+    if(!remeshed_.is_on_line(v) || !remeshed_.is_on_line(w))
+      continue;
+    const double size = size_cost(v, w), last = table_.is_constrained(h) ? last_resort : .5 * last_resort;
+    changes_.push_back({remeshed_.energy_of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});
   }
 }
 
@@ -135,12 +177,11 @@ inline bool Vertex_count::is_touched(const Change& change) const
 {
   if(table_.is_removed_face(table_.face(change.h)))
     return true;
-  if(change.other != Lean_triangulation::none)
+  if(change.other != Lean_triangulation::none && change.other != change.h)
     return touched_[table_.source(change.h)] || touched_[table_.target(change.h)] ||
            touched_[table_.target(change.other)];
-  const Index o = table_.opposite(change.h);
-  return touched_[table_.source(change.h)] || touched_[table_.target(change.h)] ||
-         touched_[table_.apex(change.h)] || touched_[table_.apex(o)];
+  const std::array<Index, 4> around = corners(change.h);
+  return std::any_of(around.begin(), around.end(), [&](const Index v) { return touched_[v]; });
 }
 
 inline std::size_t Vertex_count::apply(const std::size_t number)
@@ -153,7 +194,8 @@ inline std::size_t Vertex_count::apply(const std::size_t number)
       continue;
     remeshed_.record();
     const auto start = remeshed_.mark();
-    if(change.other == Lean_triangulation::none ? collapse(change.h) : split(change.h, change.other))
+    if(change.other == Lean_triangulation::none ? collapse(change.h)
+       : change.other == change.h ? split_edge(change.h) : split(change.h, change.other))
       ++made;
     else
       remeshed_.undo_to(start);
@@ -166,12 +208,27 @@ inline bool Vertex_count::collapse(const Index h)
 {
   if(!table_.is_collapse_legal(h))
     return false;
-  const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(table_.opposite(h));
+  const std::array<Index, 4> around = corners(h);
+  const Index a = around[0], b = around[1];
   const Vector way = remeshed_.spot(b).point - remeshed_.spot(a).point;
+  const bool are_alike = remeshed_.is_on_line(a) == remeshed_.is_on_line(b);
   table_.collapse(h);
-  if(!remeshed_.is_fixed(a))
+  if(!remeshed_.is_fixed(a) && are_alike)
     remeshed_.put(a, remeshed_.spot_after(a, .5 * way));
-  return settle({{a, a, c, d}});
+  return settle({{a, a, around[2], around[3]}});
+}
+
+// Divides an edge of a line, or one from line to line, where no vertex is free to be split.
+inline bool Vertex_count::split_edge(const Index h)
+{
+  const std::array<Index, 4> around = corners(h);
+  Remeshed_surface::Spot middle;
+  if(!remeshed_.find_middle(h, middle))
+    return false;
+  const Index w = table_.split_edge(h);
+  remeshed_.put(w, middle);
+  touched_[around[0]] = touched_[around[1]] = true;
+  return settle({{w, w, around[2], around[3]}});
 }
 
 // The vertex and the new one part along the line between their halves of the ring.

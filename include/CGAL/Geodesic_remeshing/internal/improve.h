@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
@@ -140,20 +141,22 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
 
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
 // vertices the one asked for. The pinned vertices stay where they are, the topology stays what it is, every vertex stays on
-// the surface. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
+// the surface, and every edge that is `constrained` on its line: a vertex with such edges that is not pinned slides along them.
+// Of the `constraints` the corners tell where lines end. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
 // a valid mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
 // Without iterations only the number of vertices is set, to show what the stages before made.
 template <class Progress>
 void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
-             Mesh::Property_map<Vertex, bool> pinned, const Improvement_parameters& parameters, Progress&& go_on)
+             Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
+             const Constraints& constraints, const Improvement_parameters& parameters, Progress&& go_on)
 {
-  const Surface_walker walker(surface);
-  Remeshed_surface remeshed(walker, out, place, pinned);
+  const Surface_walker walker(surface, constraints);
+  Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained);
   if(parameters.number_of_iterations == 0)
     Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
   else
     improve(remeshed, parameters, go_on);
-  remeshed.write_back(out, place, pinned);
+  remeshed.write_back(out, place, pinned, constrained);
 }
 
 } // namespace internal

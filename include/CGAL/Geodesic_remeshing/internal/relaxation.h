@@ -64,7 +64,7 @@ inline std::size_t flip_to_regular_valences(Remeshed_surface& remeshed)
     if((h & 3) == 3 || table.is_removed_face(table.face(h)))
       continue;
     const Lean_triangulation::Index o = table.opposite(h);
-    if(o == Lean_triangulation::none || o < h)
+    if(table.is_constrained(h) || o < h)
       continue;
     const int energy = remeshed.energy_of_flip(h);
     if(energy > 0 || !table.is_flip_legal(h))

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_LINE_WALKER_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_LINE_WALKER_H
+
+#include <CGAL/Geodesic_remeshing/internal/Constraints.h>
+#include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Slides along the lines of a surface: features, boundary. A line runs through the input vertices where two of its edges
+// meet, from one end to the other or around; ends are corners and where another number of edges meet. A place on a line
+// has an exact zero for a coordinate and keeps it, so that straight lines stay covered exactly.
+class Line_walker
+{
+public:
+  using Index = Lean_triangulation::Index;
+  static constexpr Index none = Lean_triangulation::none;
+
+  Line_walker(const Surface_walker& walker, const Constraints& constraints);
+
+  bool empty() const { return pieces_.empty(); }
+
+  // Along the projection of `displacement` to the line, for the projection's length; at most half the way to an end, where
+  // other vertices are. What is at an end stays.
+  Place slide(const Place& from, const Vector& displacement) const;
+
+  // The middle of the way along a line from one place to another, which has no face if there is none. Of the two ways around
+  // a closed line that which `beside` is not on. Where `from` is an end `to` must be one too: then the shortest line between them.
+  Place middle(const Place& from, const Place& to, const Place& beside) const;
+
+private:
+  // An edge of a line, from `begin` on (in lengths along the line). A halfedge of it, which may run the other way.
+  struct Piece { Index h; bool is_reversed; Index line; double begin, length; };
+  struct Line { Index first, last; double length; bool is_ring; };      // pieces [first, last)
+
+  void find_ends(const Constraints& constraints);
+  void follow(Index h, Index from);
+  Index canonical(const Index h) const { return (std::min)(h, table_.opposite(h)); }
+  bool is_end(const Index x) const { return incident_[x][1] == none; }
+  Index start(const Piece& p) const { return p.is_reversed ? table_.target(p.h) : table_.source(p.h); }
+  Index end(const Piece& p) const { return p.is_reversed ? table_.source(p.h) : table_.target(p.h); }
+  const Point& point(const Index x) const { return walker_.surface().point(Vertex(x)); }
+  Index vertex_at(const Place& place) const;
+  Index piece_at(const Place& place) const;
+  double position(const Place& place, Index piece) const;
+  double position_on(const Place& place, const Line& line) const;
+  double way_along(Index piece, const Vector& displacement) const;
+  Place place_at(Index near, double at) const;
+  Index shortest_line(Index x, Index y) const;
+
+  const Surface_walker& walker_;
+  const Lean_triangulation& table_;
+  std::vector<std::array<Index, 2>> incident_;   // of an input vertex: two halfedges of line edges; at an end the second is none
+  std::vector<Index> piece_of_;                  // of a halfedge
+  std::vector<Piece> pieces_;
+  std::vector<Line> lines_;
+};
+
+inline Line_walker::Line_walker(const Surface_walker& walker, const Constraints& constraints)
+  : walker_(walker), table_(walker.triangulation())
+{
+  find_ends(constraints);
+  if(incident_.empty())
+    return;
+  piece_of_.assign(4 * table_.face_slots(), none);
+  const auto follow_where = [&](const auto& is_start) {
+    for(Index h = 0; h < piece_of_.size(); ++h)
+      if((h & 3) != 3 && table_.is_constrained(h))
+        for(const Index x : {table_.source(h), table_.target(h)})
+          if(piece_of_[h] == none && is_start(x))
+            follow(canonical(h), x);
+  };
+  follow_where([&](const Index x) { return is_end(x); });
+  follow_where([](Index) { return true; });       // what is left are closed lines
+}
+
+inline void Line_walker::find_ends(const Constraints& constraints)
+{
+  std::vector<Index> degree;
+  for(Index h = 0; h < 4 * table_.face_slots(); ++h) {
+    if((h & 3) == 3 || !table_.is_constrained(h) || canonical(h) != h)
+      continue;
+    degree.resize(table_.vertex_slots(), 0);
+    incident_.resize(table_.vertex_slots(), {{none, none}});
+    for(const Index x : {table_.source(h), table_.target(h)}) {
+      if(degree[x] < 2)
+        incident_[x][degree[x]] = h;
+      ++degree[x];
+    }
+  }
+  for(Index x = 0; x < degree.size(); ++x)
+    if(degree[x] != 2 || (!constraints.is_corner.empty() && constraints.is_corner[x]))
+      incident_[x][1] = none;
+}
+
+// From an end to the next, or around. The edge at an end that `incident_` does not know is not asked for.
+inline void Line_walker::follow(Index h, const Index from)
+{
+  const Index number = static_cast<Index>(lines_.size()), first = static_cast<Index>(pieces_.size());
+  double length = 0.;
+  Index x = from;
+  while(h != none && piece_of_[h] == none) {
+    piece_of_[h] = static_cast<Index>(pieces_.size());
+    if(table_.opposite(h) != none)
+      piece_of_[table_.opposite(h)] = piece_of_[h];
+    const bool is_reversed = table_.source(h) != x;
+    const double piece = std::sqrt(squared_distance(point(table_.source(h)), point(table_.target(h))));
+    pieces_.push_back({h, is_reversed, number, length, piece});
+    length += piece;
+    x = is_reversed ? table_.source(h) : table_.target(h);
+    h = is_end(x) ? none : incident_[x][incident_[x][0] == h];
+  }
+  lines_.push_back({first, static_cast<Index>(pieces_.size()), length, x == from});
+}
+
+inline Line_walker::Index Line_walker::vertex_at(const Place& place) const
+{
+  const auto& c = place.coordinates;
+  if((c[0] > 0.) + (c[1] > 0.) + (c[2] > 0.) != 1)
+    return none;
+  return table_.source(4 * static_cast<Index>(place.face) + (c[0] > 0. ? 0 : c[1] > 0. ? 1 : 2));
+}
+
+inline Line_walker::Index Line_walker::piece_at(const Place& place) const
+{
+  const Index x = vertex_at(place), f = place.face;
+  if(x != none)
+    return incident_[x][0] == none ? none : piece_of_[incident_[x][0]];
+  for(Index i = 0; i < 3; ++i)
+    if(!(place.coordinates[(i + 2) % 3] > 0.))
+      return piece_of_[4 * f + i];
+  return none;
+}
+
+// Of a place that is on this piece
+inline double Line_walker::position(const Place& place, const Index piece) const
+{
+  const Piece& p = pieces_[piece];
+  const Index f = place.face;
+  double weight = 0.;
+  for(Index i = 0; i < 3; ++i)
+    if(table_.source(4 * f + i) == end(p))
+      weight = place.coordinates[i];
+  return p.begin + weight * p.length;
+}
+
+// Of a place on this line or at its end
+inline double Line_walker::position_on(const Place& place, const Line& line) const
+{
+  const Index x = vertex_at(place);
+  if(x != none && x == start(pieces_[line.first]))
+    return 0.;
+  return x != none && is_end(x) ? line.length : position(place, piece_at(place));
+}
+
+inline double Line_walker::way_along(const Index piece, const Vector& displacement) const
+{
+  const Piece& p = pieces_[piece];
+  return p.length > 0. ? displacement * (point(end(p)) - point(start(p))) / p.length : 0.;
+}
+
+// The place at a position of a line, sought from one of its pieces on
+inline Place Line_walker::place_at(Index near, double at) const
+{
+  const Line& line = lines_[pieces_[near].line];
+  if(line.is_ring && line.length > 0. && !(at >= 0. && at < line.length)) {
+    near = at < 0. ? line.last - 1 : line.first;
+    at -= line.length * std::floor(at / line.length);
+  }
+  while(near + 1 < line.last && at > pieces_[near].begin + pieces_[near].length)
+    ++near;
+  while(near > line.first && at < pieces_[near].begin)
+    --near;
+  const Piece& p = pieces_[near];
+  const double t = p.length > 0. ? (std::min)((std::max)((at - p.begin) / p.length, 0.), 1.) : 0.;
+  Place place{Face(Lean_triangulation::face(p.h)), {{0., 0., 0.}}};
+  place.coordinates[p.h & 3] = p.is_reversed ? t : 1. - t;
+  place.coordinates[Lean_triangulation::next(p.h) & 3] = p.is_reversed ? 1. - t : t;
+  return place;
+}
+
+inline Place Line_walker::slide(const Place& from, const Vector& displacement) const
+{
+  Index piece = piece_at(from);
+  if(piece == none)
+    return from;
+  const Index x = vertex_at(from);
+  double way = 0.;
+  if(x == none)
+    way = way_along(piece, displacement);
+  else if(!is_end(x)) {
+    // Where the line bends, along that of its two edges which leads more the way of the displacement.
+    double farthest = 0.;
+    for(const Index h : incident_[x]) {
+      const double along = way_along(piece_of_[h], displacement);
+      const double away = start(pieces_[piece_of_[h]]) == x ? along : -along;
+      if(away > farthest) {
+        farthest = away;
+        piece = piece_of_[h];
+        way = along;
+      }
+    }
+  }
+  const Line& line = lines_[pieces_[piece].line];
+  if(!(std::abs(way) > 0.) || !(line.length > 0.))
+    return from;
+  const double at = position(from, piece);
+  if(is_end(start(pieces_[line.first]))) {
+    if(!(at + way > 0.))
+      way = -.5 * at;
+    if(!(at + way < line.length))
+      way = .5 * (line.length - at);
+  }
+  return place_at(piece, at + way);
+}
+
+inline Line_walker::Index Line_walker::shortest_line(const Index x, const Index y) const
+{
+  Index best = none;
+  const auto look = [&](const Index h) {
+    if(!table_.is_constrained(h))
+      return;
+    const Index number = pieces_[piece_of_[h]].line;
+    const Line& line = lines_[number];
+    const Index first = start(pieces_[line.first]), last = end(pieces_[line.last - 1]);
+    if(((first == x && last == y) || (first == y && last == x)) &&
+       (best == none || line.length < lines_[best].length))
+      best = number;
+  };
+  table_.for_each_outgoing(x, [&](const Index h) { look(h); look(Lean_triangulation::previous(h)); });
+  return best;
+}
+
+inline Place Line_walker::middle(const Place& from, const Place& to, const Place& beside) const
+{
+  const Index x = vertex_at(from), y = vertex_at(to);
+  if(x != none && is_end(x)) {
+    const Index number = y == none ? none : shortest_line(x, y);
+    return number == none ? Place() : place_at(lines_[number].first, .5 * lines_[number].length);
+  }
+  const Index piece = piece_at(from), other = piece_at(to);
+  if(piece == none || other == none || ((y == none || !is_end(y)) && pieces_[piece].line != pieces_[other].line))
+    return Place();
+  const Line& line = lines_[pieces_[piece].line];
+  const double at = position(from, piece);
+  double way = position_on(to, line) - at;
+  if(line.is_ring) {
+    const auto forward = [&](const double d) { return d < 0. ? d + line.length : d; };
+    const double side = forward(position_on(beside, line) - at);
+    way = forward(way) < side ? forward(way) : forward(way) - line.length;
+  }
+  return place_at(piece, at + .5 * way);
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_LINE_WALKER_H
