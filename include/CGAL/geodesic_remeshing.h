@@ -16,6 +16,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
@@ -142,14 +143,17 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, vertex_points_of(tmesh, np_in), np_in, input);
   const Mesh& surface = input.mesh;
-  const std::size_t n = number_of_vertices_for(target, surface);
-  const double edge_length = edge_length_for(area(surface), n);
-  check_scale(edge_length);
-  const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
+
+  clock.stage("sizing", .03);
+  const Goal goal = set_goal(target, wished_lengths(tmesh, input.vertex_of, np_in), sizing_limits_of(np_in), input.mesh);
+  const std::size_t n = goal.number_of_vertices;
+  check_scale(goal.mean_edge_length);
 
   clock.stage("refinement", .05);
   Working_surface working;
-  make_working_surface(surface, longest_working_edge * edge_length, working);
+  make_working_surface(surface, longest_working_edge * goal.mean_edge_length, working);
+  const double edge_length = edge_length_in_metric(working.mesh, goal);
+  const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
 
   clock.stage("distances", .1);
   const Intrinsic_triangulation triangulation(working.mesh);
@@ -193,7 +197,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   clock.stop();
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
   summary.number_of_faces = remeshed.mesh.number_of_faces();
-  summary.edge_length = edge_length;
+  summary.edge_length = goal.mean_edge_length;
   summary.number_of_regions = segmentation.regions.size();
   summary.number_of_curves = curves.curves.size();
   return summary;

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,6 +41,19 @@ struct Edge_length
 struct Number_of_faces
 {
   std::size_t value; ///< positive
+};
+
+/*!
+ * \ingroup PkgGeodesicRemeshingTypesRef
+ * The limits of a sizing. They hold for the lengths that the edges aim at; single edges are a little longer or shorter.
+ */
+struct Sizing_limits
+{
+  double minimum_length = 0.; ///< no length below this one, in the unit of the coordinates
+  double maximum_length = std::numeric_limits<double>::infinity(); ///< none above this one
+  /// how much the length may grow over a way on the surface, divided by the length of the way: with 0.12 the edges at a vertex
+  /// are meant to be up to 12 percent longer than those at its neighbour. Positive; infinite for no limit.
+  double gradation = .12;
 };
 
 /*!
@@ -75,7 +89,7 @@ public:
  */
 struct Default_visitor
 {
-  /// called when a stage begins: `"input"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`, `"strips"`,
+  /// called when a stage begins: `"input"`, `"sizing"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`, `"strips"`,
   /// `"improvement"`, `"output"`
   void stage(const std::string& /* name */) {}
   /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work

@@ -29,6 +29,7 @@ struct Sample
   Face face;       // of the working surface, where the search for its place in it begins
   Place place;     // on the input surface
   Point point;
+  double size;     // of the mesh there, relative to the mean, see Metric
   bool is_pinned;  // the root and the tips stay where they are
   int region, level; // of its curve; level 0: on a top, a bridge, the root
 };
@@ -43,7 +44,8 @@ public:
   // that the number of samples is the wanted number of vertices.
   Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
                 const Level_curves& curves, double edge_length, double spacing, std::size_t expected)
-    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_segmentation(segmentation), m_curves(curves),
+    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_metric(working.mesh),
+      m_segmentation(segmentation), m_curves(curves),
       m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected)
   {
     m_samples.reserve(expected + expected / 8);
@@ -77,6 +79,7 @@ private:
   struct Path_point
   {
     Point point;
+    double density;
     Halfedge halfedge;
     double position;
   };
@@ -87,29 +90,29 @@ private:
   // On one curve samples keep their own distance, which in a thin tube may be smaller.
   double smallest_distance() const { return .5 * m_edge_length; }
 
-  bool is_free(const Point& p, std::ptrdiff_t first_of_curve) const
+  bool is_free(const Point& p, double size, std::ptrdiff_t first_of_curve) const
   {
     bool free = true;
-    m_grid.near(p, smallest_distance(), [&](std::uint32_t id, const Point&, double)
+    m_grid.near(p, size, smallest_distance() * size, [&](std::uint32_t id, const Point&, double)
                 { free = free && static_cast<std::ptrdiff_t>(id) >= first_of_curve; });
     return free;
   }
 
   void add(const Sample& sample)
   {
-    m_grid.insert(sample.point, static_cast<std::uint32_t>(m_samples.size()));
+    m_grid.insert(sample.point, sample.size, static_cast<std::uint32_t>(m_samples.size()));
     m_samples.push_back(sample);
   }
 
   bool add_vertex(Vertex v, bool is_pinned)
   {
-    if(!is_free(m_mesh.point(v), static_cast<std::ptrdiff_t>(m_samples.size())))
+    if(!is_free(m_mesh.point(v), m_metric.size(v), static_cast<std::ptrdiff_t>(m_samples.size())))
       return false;
     const Face f = m_mesh.face(m_mesh.halfedge(v));
     std::array<double, 3> weights = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       weights[i] = vertices_of(m_mesh, f)[i] == v ? 1. : 0.;
-    add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), is_pinned,
+    add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), m_metric.size(v), is_pinned,
                m_segmentation.field_region[v], 0});
     return true;
   }
@@ -129,7 +132,7 @@ private:
     put(a, 1. - t);
     put(b, t);
     const Place place = place_on_input(m_surface, m_working, f, weights);
-    return Sample{f, place, internal::point_at(m_surface, place), false, region, level};
+    return Sample{f, place, internal::point_at(m_surface, place), m_input_metric.size(place), false, region, level};
   }
 
   // ---- polylines
@@ -141,7 +144,8 @@ private:
       m_path.push_back(path.front());
     m_length.assign(1, 0.);
     for(std::size_t i = 1; i < m_path.size(); ++i)
-      m_length.push_back(m_length.back() + std::sqrt(CGAL::squared_distance(m_path[i - 1].point, m_path[i].point)));
+      m_length.push_back(m_length.back() + .5 * (m_path[i - 1].density + m_path[i].density)
+                                             * std::sqrt(CGAL::squared_distance(m_path[i - 1].point, m_path[i].point)));
   }
 
   Sample sample_at(double s, int region, int level) const
@@ -209,7 +213,7 @@ private:
     for(int i = 0; i <= n; ++i)
     {
       Sample sample = sample_at(length * i / n, m_segmentation.field_region[bridge[middle]], 0);
-      if(!is_free(sample.point, static_cast<std::ptrdiff_t>(m_samples.size())))
+      if(!is_free(sample.point, sample.size, static_cast<std::ptrdiff_t>(m_samples.size())))
         continue;
       if(i == 0 && cut_low)
         pin(crossing_low);
@@ -220,7 +224,10 @@ private:
   }
 
   Path_point on_edge(Halfedge h, double position) const
-  { return Path_point{internal::point_at(m_mesh, Curve_point{h, position}), h, position}; }
+  {
+    const Curve_point p{h, position};
+    return Path_point{internal::point_at(m_mesh, p), density_at(m_mesh, m_metric, p), h, position};
+  }
 
   // The curve through this crossing has a sample there already.
   void pin(std::size_t crossing)
@@ -276,7 +283,7 @@ private:
     for(int i = 0; i < n; ++i)
     {
       const Sample sample = sample_at(start + i * step, curve.region, curve.level);
-      if(is_free(sample.point, first))
+      if(is_free(sample.point, sample.size, first))
         add(sample);
     }
   }
@@ -298,7 +305,7 @@ private:
         double s = from + j * step;
         s -= s >= length ? length : 0.;
         const Sample sample = sample_at(s, curve.region, curve.level);
-        if(is_free(sample.point, first))
+        if(is_free(sample.point, sample.size, first))
           add(sample);
       }
     }
@@ -308,7 +315,7 @@ private:
   // step being opposite to it. The votes are directions, and their sum is the answer.
   double phase(const Level_curve& curve, int n) const
   {
-    const double step = m_length.back() / n, reach = 1.3 * m_edge_length;
+    const double step = m_length.back() / n;
     double x = 0., y = 0.;
     for(int i = 0; i < n; ++i)
     {
@@ -318,13 +325,14 @@ private:
       const double l = m_length[j] - m_length[j - 1];
       if(!(l > 0.))
         continue;
-      const Vector tangent = (m_path[j].point - m_path[j - 1].point) / l;
+      const Vector tangent = (m_path[j].point - m_path[j - 1].point) / l; // a unit vector, but for the density
       const Point here = m_path[j - 1].point + (s - m_length[j - 1]) * tangent;
-      m_grid.near(here, reach, [&](std::uint32_t id, const Point& q, double)
+      const double density = .5 * (m_path[j - 1].density + m_path[j].density);
+      m_grid.near(here, 1. / density, 1.3 * m_edge_length / density, [&](std::uint32_t id, const Point& q, double)
       {
         if(!is_before(m_samples[id], curve))
           return;
-        const double offset = (q - here) * tangent;
+        const double offset = density * density * ((q - here) * tangent);
         if(std::abs(offset) > .75 * step)
           return; // another step's business
         // the vote on the square |x| + |y| = 1 in place of the circle: as good a direction, and no sine
@@ -368,6 +376,7 @@ private:
   const Mesh& m_surface;
   const Working_surface& m_working;
   const Mesh& m_mesh;
+  const Metric m_input_metric, m_metric;
   const Segmentation& m_segmentation;
   const Level_curves& m_curves;
   const double m_edge_length, m_spacing;

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Geodesic_remeshing/internal/Intrinsic_faces.h>
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -44,11 +45,9 @@ public:
     Index reverse; // the spoke of the neighbor that is the same edge
   };
 
-  // The surface as it lies in space.
+  // The surface as it lies in space, or in the metric of its density.
   explicit Intrinsic_triangulation(const Mesh& mesh)
-    : Intrinsic_triangulation(mesh, [&mesh](Halfedge h) {
-        return std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-      })
+    : Intrinsic_triangulation(mesh, [metric = Metric(mesh)](Halfedge h) { return metric.length(h); })
   {
   }
 

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_LEVEL_CURVES_H
 
 #include <CGAL/Geodesic_remeshing/internal/Level_crossings.h>
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,19 +55,32 @@ inline Point point_at(const Mesh& mesh, const Curve_point& p)
                a.z() + p.position * (b.z() - a.z()));
 }
 
+inline double density_at(const Mesh& mesh, const Metric& metric, const Curve_point& p)
+{
+  if(metric.is_uniform())
+    return 1.;
+  return (1. - p.position) * metric.density(mesh.source(p.halfedge)) + p.position * metric.density(mesh.target(p.halfedge));
+}
+
+// In the metric of the mesh
 inline std::vector<double> lengths_of_curves(const Mesh& mesh, const Level_curves& curves)
 {
+  const Metric metric(mesh);
   std::vector<double> lengths;
   lengths.reserve(curves.curves.size());
   for(const Level_curve& curve : curves.curves)
   {
     double length = 0.;
-    Point before = point_at(mesh, curves.points[curve.is_closed ? curve.end - 1 : curve.begin]);
+    const Curve_point& first = curves.points[curve.is_closed ? curve.end - 1 : curve.begin];
+    Point before = point_at(mesh, first);
+    double density_before = density_at(mesh, metric, first);
     for(std::size_t i = curve.begin; i < curve.end; ++i)
     {
       const Point here = point_at(mesh, curves.points[i]);
-      length += std::sqrt(CGAL::squared_distance(before, here));
+      const double density = density_at(mesh, metric, curves.points[i]);
+      length += .5 * (density_before + density) * std::sqrt(CGAL::squared_distance(before, here));
       before = here;
+      density_before = density;
     }
     lengths.push_back(length);
   }

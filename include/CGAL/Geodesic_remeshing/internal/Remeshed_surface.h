@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
@@ -53,13 +54,14 @@ class Remeshed_surface
 public:
   using Index = Lean_triangulation::Index;
 
-  struct Spot { Point point; Place place; Vector normal; };
+  struct Spot { Point point; Place place; Vector normal; double size; };   // the size is relative, see Metric
 
   Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
                    const Mesh::Property_map<Vertex, Place>& place, const Mesh::Property_map<Vertex, bool>& pinned,
                    const Mesh::Property_map<Edge, bool>& constrained);
 
   const Surface_walker& walker() const { return walker_; }
+  const Metric& metric() const { return metric_; }         // of the input
   Lean_triangulation& connectivity() { return connectivity_; }
   const Lean_triangulation& connectivity() const { return connectivity_; }
 
@@ -77,7 +79,10 @@ public:
   }
   Spot spot_after(Index v, const Vector& displacement) const;
   Spot spot_at_vertex(Index x) const;           // of the input
-  Spot spot_on_line(const Place& place) const { return {walker_.point(place), place, normal_on_line(place)}; }
+  Spot spot_on_line(const Place& place) const
+  {
+    return {walker_.point(place), place, normal_on_line(place), metric_.size(place)};
+  }
   bool find_middle(Index h, Spot& middle) const;  // of an edge, on its line if it is on one
   void pin(const Index v)
   {
@@ -135,6 +140,7 @@ private:
   void write_faces(Mesh& mesh, const std::vector<Vertex>& vertex, Mesh::Property_map<Edge, bool> constrained) const;
 
   const Surface_walker& walker_;
+  const Metric metric_;
   const Line_walker lines_;
   const bool has_lines_;
   Lean_triangulation connectivity_;
@@ -151,7 +157,7 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
                                           const Mesh::Property_map<Vertex, Place>& place,
                                           const Mesh::Property_map<Vertex, bool>& pinned,
                                           const Mesh::Property_map<Edge, bool>& constrained)
-  : walker_(walker), lines_(walker, constraints), has_lines_(!lines_.empty())
+  : walker_(walker), metric_(walker.surface()), lines_(walker, constraints), has_lines_(!lines_.empty())
   , connectivity_(mesh, [&](const Edge e) { return constrained[e]; })
 {
   spots_.reserve(mesh.number_of_vertices());
@@ -160,7 +166,7 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
     // A pinned vertex is a tip or a corner, where the normal of one face says nothing.
     const Vector normal = pinned[v] ? Vector(0., 0., 0.)
                         : is_on_line(v) ? normal_on_line(place[v]) : walker.normal(place[v].face);
-    spots_.push_back({walker.point(place[v]), place[v], normal});
+    spots_.push_back({walker.point(place[v]), place[v], normal, metric_.size(place[v])});
     pinned_.push_back(pinned[v]);
   }
   if(has_lines_)
@@ -175,7 +181,7 @@ inline Remeshed_surface::Spot Remeshed_surface::spot_after(const Index v, const 
   if(is_on_line(v))
     return spot_on_line(lines_.slide(spots_[v].place, displacement));
   const Place place = walker_.walk(spots_[v].place, displacement);
-  return {walker_.point(place), place, walker_.normal(place.face)};
+  return {walker_.point(place), place, walker_.normal(place.face), metric_.size(place)};
 }
 
 // Such a vertex is sought out as a tip, where the normal of one face says nothing.
@@ -184,7 +190,7 @@ inline Remeshed_surface::Spot Remeshed_surface::spot_at_vertex(const Index x) co
   const Index h = walker_.triangulation().halfedge(x);
   Place place{Face(Lean_triangulation::face(h)), {{0., 0., 0.}}};
   place.coordinates[h & 3] = 1.;
-  return {walker_.point(place), place, Vector(0., 0., 0.)};
+  return {walker_.point(place), place, Vector(0., 0., 0.), metric_.size(Vertex(x))};
 }
 
 inline void Remeshed_surface::release()
@@ -244,13 +250,18 @@ inline double Remeshed_surface::ring_badness(const Index v) const
 
 inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
 {
-  const Point& p = spots_[v].point;
+  const Spot& spot = spots_[v];
+  // in units of the length that the edge is to have, so that all pull alike
+  const auto way_to = [&](const Index w) {
+    const Vector way = spots_[w].point - spot.point;
+    return metric_.is_uniform() ? way : 2. * spot.size / (spot.size + spots_[w].size) * way;
+  };
   Vector sum(0., 0., 0.);
   if(!is_on_line(v)) {
-    connectivity_.for_each_neighbor(v, [&](const Index w) { sum = sum + (spots_[w].point - p); });
+    connectivity_.for_each_neighbor(v, [&](const Index w) { sum = sum + way_to(w); });
     return sum / static_cast<double>(connectivity_.valence(v));
   }
-  for_each_neighbor_on_line(v, [&](const Index w) { sum = sum + (spots_[w].point - p); });
+  for_each_neighbor_on_line(v, [&](const Index w) { sum = sum + way_to(w); });
   return .5 * sum;
 }
 

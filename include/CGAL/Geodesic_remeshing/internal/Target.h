@@ -34,14 +34,23 @@ inline void check_scale(double edge_length)
     reject("the coordinates are too small or too large to compute with");
 }
 
-inline std::size_t vertices_for_length(double area, double length)
+inline void check_length(double length)
 {
   if(!(length > 0.) || !std::isfinite(length))
     reject("the edge length must be positive and finite");
-  const double vertices = 2. * area / (std::sqrt(3.) * length * length);
-  if(!(vertices < 2e9))
-    reject("the edge length is too small: it asks for " + std::to_string(vertices) + " vertices");
-  return (std::max)(std::size_t(4), static_cast<std::size_t>(std::llround(vertices)));
+}
+
+inline std::size_t rounded_number_of_vertices(double number)
+{
+  if(!(number < 2e9))
+    reject("the edge length is too small: it asks for " + std::to_string(number) + " vertices");
+  return (std::max)(std::size_t(4), static_cast<std::size_t>(std::llround(number)));
+}
+
+inline std::size_t vertices_for_length(double area, double length)
+{
+  check_length(length);
+  return rounded_number_of_vertices(2. * area / (std::sqrt(3.) * length * length));
 }
 
 inline std::size_t vertices_for_faces(std::ptrdiff_t euler_characteristic, std::size_t faces)

@@ -141,18 +141,18 @@ inline std::size_t Tip_recovery::run(const double tolerance)
   Nearest_vertices nearest(remeshed_);
   nearest_.swap(nearest.vertex);
   squared_distance_.swap(nearest.squared_distance);
-  const double limit = tolerance * tolerance;
+  const auto limit = [&](const Index x) { return CGAL::square(tolerance * remeshed_.metric().size(Vertex(x))); };
   for(Index x = 0; x < input_.vertex_slots(); ++x)
-    if(nearest_[x] != Lean_triangulation::none && squared_distance_[x] > limit)
+    if(nearest_[x] != Lean_triangulation::none && squared_distance_[x] > limit(x))
       squared_distance_[x] = (std::min)(squared_distance_[x], ring_distance(x, nearest_[x]));
   std::size_t sent = 0;
   for(Index x = 0; x < input_.vertex_slots(); ++x) {
-    if(nearest_[x] == Lean_triangulation::none || !(squared_distance_[x] > limit) || !is_tip(x))
+    if(nearest_[x] == Lean_triangulation::none || !(squared_distance_[x] > limit(x)) || !is_tip(x))
       continue;
     // The nearest vertex need not be one of the nearest triangle.
     double distance = squared_distance_[x];
     table_.for_each_neighbor(nearest_[x], [&](const Index w) { distance = (std::min)(distance, ring_distance(x, w)); });
-    const Index v = distance > limit ? vertex_to_send(x) : Lean_triangulation::none;
+    const Index v = distance > limit(x) ? vertex_to_send(x) : Lean_triangulation::none;
     if(v != Lean_triangulation::none && send(v, x))
       ++sent;
   }

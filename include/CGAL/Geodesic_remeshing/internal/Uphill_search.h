@@ -11,10 +11,10 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_UPHILL_SEARCH_H
 
 #include <CGAL/Geodesic_remeshing/internal/Fronts.h>
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -30,7 +30,7 @@ class Uphill_search
 {
 public:
   Uphill_search(const Mesh& mesh, const Vertex_order& order, const Fronts& fronts)
-    : m_mesh(mesh), m_order(order), m_fronts(fronts), m_length(mesh.number_of_vertices(), infinity),
+    : m_mesh(mesh), m_metric(mesh), m_order(order), m_fronts(fronts), m_length(mesh.number_of_vertices(), infinity),
       m_from(mesh.number_of_vertices())
   {}
 
@@ -76,7 +76,7 @@ public:
       queue.emplace(length, to);
     };
     for(Vertex v : arc)
-      relax(saddle, v, edge_length(saddle, v));
+      relax(saddle, v, m_metric.length(saddle, v));
     std::vector<Vertex> way;
     while(!queue.empty() && way.empty())
     {
@@ -89,7 +89,7 @@ public:
           way.push_back(v);
       else
         for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(top.second)))
-          relax(top.second, m_mesh.source(h), top.first + edge_length(top.second, m_mesh.source(h)));
+          relax(top.second, m_mesh.source(h), top.first + m_metric.length(h));
     }
     std::reverse(way.begin(), way.end());
     forget();
@@ -97,11 +97,6 @@ public:
   }
 
 private:
-  double edge_length(Vertex v, Vertex w) const
-  {
-    return std::sqrt(CGAL::squared_distance(m_mesh.point(v), m_mesh.point(w)));
-  }
-
   void touch(Vertex v, double length)
   {
     m_length[v] = length;
@@ -116,6 +111,7 @@ private:
   }
 
   const Mesh& m_mesh;
+  const Metric m_metric;
   const Vertex_order& m_order;
   const Fronts& m_fronts;
   std::vector<double> m_length; // only what a search touched is reset after it

@@ -91,7 +91,8 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
 // The length of an edge weighs as much as one step of the energy (2) when it is off by the whole edge length.
 inline double Vertex_count::size_cost(const Index v, const Index w) const
 {
-  return 2. * squared_distance(remeshed_.spot(v).point, remeshed_.spot(w).point) / squared_edge_length_;
+  const Remeshed_surface::Spot &a = remeshed_.spot(v), &b = remeshed_.spot(w);
+  return 2. * squared_distance(a.point, b.point) / (squared_edge_length_ * CGAL::square(.5 * (a.size + b.size)));
 }
 
 // Of an edge between lines: what is added to the cost of its collapse, which leaves a longer edge on the line.

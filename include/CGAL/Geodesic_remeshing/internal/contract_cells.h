@@ -10,9 +10,9 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CONTRACT_CELLS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CONTRACT_CELLS_H
 
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
-#include <cmath>
 #include <cstdint>
 #include <queue>
 #include <utility>
@@ -57,6 +57,7 @@ private:
   {
     using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const Metric metric(m_mesh);
     std::vector<double> distance(m_mesh.number_of_vertices(), infinity);
     for(Vertex s : samples)
     {
@@ -79,7 +80,7 @@ private:
       for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       {
         const Vertex w = m_mesh.source(h);
-        const double d = top.first + std::sqrt(CGAL::squared_distance(m_mesh.point(v), m_mesh.point(w)));
+        const double d = top.first + metric.length(h);
         if(!(d < distance[w]))
           continue;
         distance[w] = d;

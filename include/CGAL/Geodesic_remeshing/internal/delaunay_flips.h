@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_DELAUNAY_FLIPS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_DELAUNAY_FLIPS_H
 
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <algorithm>
@@ -21,13 +22,14 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // Makes the triangles between the samples Delaunay: an edge is flipped when the two triangles beside it, unfolded into a
-// plane, are not. That is decided by an exact predicate, so that of the two diagonals of a pair never both look wrong. On
+// plane, are not. That is decided by an exact predicate, so that of the two diagonals of a pair never both look wrong. Lengths
+// are those of the mesh's metric. On
 // a curved surface the flipped edge is shorter than the unfolded one, and the flips need not come to an end by themselves:
 // their number is bounded.
 class Delaunay_flipper
 {
 public:
-  explicit Delaunay_flipper(Mesh& mesh) : m_mesh(mesh), m_queued(mesh.number_of_edges(), 1) {}
+  explicit Delaunay_flipper(Mesh& mesh) : m_mesh(mesh), m_metric(mesh), m_queued(mesh.number_of_edges(), 1) {}
 
   std::size_t run()
   {
@@ -51,25 +53,23 @@ public:
 private:
   using Point_2 = Kernel::Point_2;
 
-  const Point& point(Halfedge h) const { return m_mesh.point(m_mesh.target(h)); }
-
   // The apex over an edge of this length from the origin along the x axis
-  static Point_2 apex(const Vector& edge, double length, const Vector& to_apex, double side)
+  Point_2 apex(double length, Vertex a, Vertex b, Vertex c, double side) const
   {
-    const double x = edge * to_apex / length;
-    return Point_2(x, side * std::sqrt((std::max)(0., to_apex.squared_length() - x * x)));
+    const double left = m_metric.squared_length(a, c), right = m_metric.squared_length(b, c);
+    const double x = (length * length + left - right) / (2. * length);
+    return Point_2(x, side * std::sqrt((std::max)(0., left - x * x)));
   }
 
   bool is_wrong(Halfedge h) const
   {
     const Halfedge o = m_mesh.opposite(h);
-    const Point& a = point(o);
-    const Vector edge(a, point(h));
-    const double length = std::sqrt(edge.squared_length());
+    const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
+    const double length = m_metric.length(a, b);
     if(!(length > 0.))
       return false;
-    const Point_2 c = apex(edge, length, Vector(a, point(m_mesh.next(h))), 1.);
-    const Point_2 d = apex(edge, length, Vector(a, point(m_mesh.next(o))), -1.);
+    const Point_2 c = apex(length, a, b, m_mesh.target(m_mesh.next(h)), 1.);
+    const Point_2 d = apex(length, a, b, m_mesh.target(m_mesh.next(o)), -1.);
     return side_of_oriented_circle(Point_2(0., 0.), Point_2(length, 0.), c, d) == ON_POSITIVE_SIDE;
   }
 
@@ -125,6 +125,7 @@ private:
   }
 
   Mesh& m_mesh;
+  const Metric m_metric;
   std::vector<char> m_queued;
   std::vector<Edge> m_queue;
 };

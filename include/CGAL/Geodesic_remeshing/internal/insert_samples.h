@@ -25,10 +25,10 @@ namespace internal {
 class Sample_inserter
 {
 public:
-  // Nearer than `snap` to a vertex, a sample takes that vertex over; its own place is kept, only the cells that are to
+  // Nearer than `snap`, in the metric, to a vertex, a sample takes that vertex over; its own place is kept, only the cells that are to
   // be grown around it begin at the vertex.
   Sample_inserter(const Mesh& surface, Working_surface& working, double snap)
-    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_squared_snap(snap * snap)
+    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_squared_snap(snap * snap)
   {}
 
   // The vertices of the samples, in their order; an invalid one where two samples coincide.
@@ -48,10 +48,7 @@ public:
     // Only now, since until all are inserted the vertices must lie where the connectivity has them
     for(std::size_t i = 0; i < samples.size(); ++i)
       if(result[i].is_valid())
-      {
-        m_mesh.point(result[i]) = samples[i].point;
-        m_working.place[result[i]] = samples[i].place;
-      }
+        put_vertex(m_working, m_input_metric, result[i], samples[i].point, samples[i].place);
     return result;
   }
 
@@ -113,9 +110,10 @@ private:
         nearest = v;
       }
     }
-    if(distance <= m_squared_snap && !m_is_sample[nearest])
+    const double squared_snap = m_squared_snap * s.size * s.size;
+    if(distance <= squared_snap && !m_is_sample[nearest])
       return nearest;
-    if(!(distance > 1e-12 * m_squared_snap))
+    if(!(distance > 1e-12 * squared_snap))
       return Vertex();
     const int low = static_cast<int>(std::min_element(weights.begin(), weights.end()) - weights.begin());
     // a split of the face near one of its edges would leave a sliver
@@ -132,15 +130,14 @@ private:
     for(double& w : weights)
       w /= rest;
     const Place place = place_on_input(m_surface, m_working, f, weights);
-    return split_edge_at(m_working, h, internal::point_at(m_surface, place), place);
+    return split_edge_at(m_working, m_input_metric, h, internal::point_at(m_surface, place), place);
   }
 
   Vertex split_face(Face f, const Sample& s)
   {
     const Halfedge h = Euler::add_center_vertex(m_mesh.halfedge(f), m_mesh);
     const Vertex v = m_mesh.target(h);
-    m_mesh.point(v) = s.point;
-    m_working.place[v] = s.place;
+    put_vertex(m_working, m_input_metric, v, s.point, s.place);
     for(Halfedge i : m_mesh.halfedges_around_target(h))
       m_working.input_face[m_mesh.face(i)] = s.place.face;
     return v;
@@ -149,6 +146,7 @@ private:
   const Mesh& m_surface;
   Working_surface& m_working;
   Mesh& m_mesh;
+  const Metric m_input_metric;
   const double m_squared_snap;
   std::vector<char> m_is_sample;
 };

@@ -28,6 +28,7 @@ struct Placed_mesh
   Mesh::Property_map<Vertex, Place> place;
   Mesh::Property_map<Vertex, bool> pinned;
   Mesh::Property_map<Edge, bool> constrained; // the edges on lines
+  Mesh::Property_map<Vertex, double> density; // only where the surface has one, see Metric; as the strips need it
 
   Placed_mesh()
     : place(mesh.add_property_map<Vertex, Place>("v:place").first),
@@ -47,6 +48,9 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
   const std::vector<Vertex> vertices = Sample_inserter(surface, working, .15 * edge_length).run(samples);
   Cell_contractor(working.mesh, vertices).run();
 
+  const Metric metric(surface);
+  if(!metric.is_uniform())
+    result.density = add_density(result.mesh);
   // In the order of the samples, which runs along the curves; vertices that had to stay come last.
   const Mesh& dual = working.mesh;
   std::vector<Vertex> copy(dual.num_vertices());
@@ -55,6 +59,8 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
     copy[v] = result.mesh.add_vertex(dual.point(v));
     result.place[copy[v]] = working.place[v];
     result.pinned[copy[v]] = is_pinned;
+    if(!metric.is_uniform())
+      result.density[copy[v]] = working.density[v];
   };
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(vertices[i].is_valid())

@@ -20,8 +20,12 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
@@ -79,6 +83,91 @@ auto vertex_indices_of(const TriangleMesh& tmesh, const NamedParameters& np)
   typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type indices =
     get_initialized_vertex_index_map(tmesh, np);
   return indices;
+}
+
+template <class NamedParameters, class Tag>
+constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+template <class T, class = void>
+struct has_limits : std::false_type
+{};
+template <class T>
+struct has_limits<T, std::void_t<decltype(std::declval<const T&>().limits())>> : std::true_type
+{};
+
+// The limits given by name come before those that the sizing field has itself.
+template <class NamedParameters>
+Sizing_limits sizing_limits_of(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Sizing_limits limits;
+  if constexpr(is_given<NamedParameters, internal_np::sizing_field_t>)
+  {
+    const auto& field = CGAL::parameters::get_parameter_reference(np, internal_np::sizing_field);
+    if constexpr(has_limits<std::decay_t<decltype(field)>>::value)
+      limits = field.limits();
+  }
+  limits.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_length), limits.minimum_length);
+  limits.maximum_length = choose_parameter(get_parameter(np, internal_np::maximum_length), limits.maximum_length);
+  limits.gradation = choose_parameter(get_parameter(np, internal_np::gradation), limits.gradation);
+  return limits;
+}
+
+// A sizing field tells a length by `at(v)`; those of PMP by `at(v, mesh)`; a property map by `get()`.
+template <class Field, class TriangleMesh, class = void>
+struct has_at_with_mesh : std::false_type
+{};
+template <class Field, class TriangleMesh>
+struct has_at_with_mesh<Field, TriangleMesh,
+                        std::void_t<decltype(std::declval<const Field&>().at(
+                          std::declval<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(),
+                          std::declval<const TriangleMesh&>()))>> : std::true_type
+{};
+template <class Field, class Key, class = void>
+struct has_at : std::false_type
+{};
+template <class Field, class Key>
+struct has_at<Field, Key, std::void_t<decltype(std::declval<const Field&>().at(std::declval<Key>()))>> : std::true_type
+{};
+
+template <class Field, class TriangleMesh>
+double wished_length(const Field& field, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                     const TriangleMesh& tmesh)
+{
+  if constexpr(has_at_with_mesh<Field, TriangleMesh>::value)
+    return CGAL::to_double(field.at(v, tmesh));
+  else if constexpr(has_at<Field, decltype(v)>::value)
+    return CGAL::to_double(field.at(v));
+  else
+    return CGAL::to_double(get(field, v));
+}
+
+// The lengths that the sizing field tells, up to a factor, by internal vertex; none if there is no such field.
+template <class TriangleMesh, class NamedParameters>
+std::vector<double> wished_lengths(const TriangleMesh& tmesh,
+                                   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_of,
+                                   const NamedParameters& np)
+{
+  std::vector<double> result;
+  if constexpr(is_given<NamedParameters, internal_np::sizing_field_t>)
+  {
+    const auto& field = CGAL::parameters::get_parameter_reference(np, internal_np::sizing_field);
+    const auto index = vertex_indices_of(tmesh, np);
+    result.reserve(vertex_of.size());
+    for(const auto v : vertex_of)
+    {
+      result.push_back(wished_length(field, v, tmesh));
+      if(!(result.back() > 0.) || !std::isfinite(result.back()))
+        throw std::invalid_argument("geodesic remeshing: the size of vertex " + std::to_string(get(index, v))
+                                    + " is not positive and finite");
+    }
+  }
+  else
+    static_assert(!is_given<NamedParameters, internal_np::gradation_t> && !is_given<NamedParameters, internal_np::minimum_length_t>
+                  && !is_given<NamedParameters, internal_np::maximum_length_t>,
+                  "geodesic_remeshing: gradation, minimum_length and maximum_length limit a sizing_field, and there is none");
+  return result;
 }
 
 template <class NamedParameters>

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_WORKING_SURFACE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_WORKING_SURFACE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -32,6 +33,7 @@ struct Working_surface
   Mesh mesh;
   Mesh::Property_map<Vertex, Place> place;     // of a vertex, on the input surface
   Mesh::Property_map<Face, Face> input_face;   // the face of the input surface that a face lies in
+  Mesh::Property_map<Vertex, double> density;  // only where the input surface has one, see Metric
 
   // The property maps are those of this object's own mesh: moving would be fine, copying would not.
   Working_surface() = default;
@@ -76,16 +78,24 @@ inline Place place_on_input(const Mesh& surface, const Working_surface& working,
   return result;
 }
 
+inline void put_vertex(Working_surface& working, const Metric& input_metric, Vertex v, const Point& point, const Place& place)
+{
+  working.mesh.point(v) = point;
+  working.place[v] = place;
+  if(!input_metric.is_uniform())
+    working.density[v] = 1. / input_metric.size(place);
+}
+
 // Splits an edge of a triangle mesh, and its two triangles with it. Returns the new vertex.
-inline Vertex split_edge_at(Working_surface& working, Halfedge h, const Point& point, const Place& place)
+inline Vertex split_edge_at(Working_surface& working, const Metric& input_metric, Halfedge h, const Point& point,
+                            const Place& place)
 {
   Mesh& mesh = working.mesh;
   const Halfedge o = mesh.opposite(h);
   const Face f = mesh.face(h), g = mesh.face(o);
   const Halfedge to_new = Euler::split_edge(h, mesh);
   const Vertex v = mesh.target(to_new);
-  mesh.point(v) = point;
-  working.place[v] = place;
+  put_vertex(working, input_metric, v, point, place);
   if(f != Mesh::null_face())
   {
     const Halfedge d = Euler::split_face(to_new, mesh.next(mesh.next(to_new)), mesh);
@@ -99,30 +109,25 @@ inline Vertex split_edge_at(Working_surface& working, Halfedge h, const Point& p
   return v;
 }
 
-inline double squared_length(const Mesh& mesh, Edge e)
-{
-  return CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
-}
-
 // Bisects edges, longest first, until none is longer than `maximum_length`: the order that keeps angles from degrading
 // (Rivara's longest-edge bisection), ties by index.
 inline void split_long_edges(const Mesh& surface, Working_surface& working, double maximum_length)
 {
   Mesh& mesh = working.mesh;
-  const double limit = maximum_length * maximum_length;
+  const Metric metric(mesh), input_metric(surface);
   using Entry = std::pair<double, Edge>;
   const auto shorter = [](const Entry& a, const Entry& b)
   { return a.first < b.first || (!(b.first < a.first) && b.second < a.second); };
   std::vector<Entry> long_edges;
   for(Edge e : mesh.edges())
-    if(squared_length(mesh, e) > limit)
-      long_edges.emplace_back(squared_length(mesh, e), e);
+    if(metric.length(e) > maximum_length)
+      long_edges.emplace_back(metric.length(e), e);
   std::priority_queue<Entry, std::vector<Entry>, decltype(shorter)> queue(shorter, std::move(long_edges));
   while(!queue.empty())
   {
     const Entry top = queue.top();
     queue.pop();
-    if(squared_length(mesh, top.second) < top.first)
+    if(metric.length(top.second) < top.first)
       continue; // split since
     Halfedge h = mesh.halfedge(top.second);
     if(mesh.is_border(h))
@@ -134,11 +139,11 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
       if(corners[i] == mesh.source(h) || corners[i] == mesh.target(h))
         weights[i] = .5;
     const Place place = place_on_input(surface, working, f, weights);
-    const Vertex v = split_edge_at(working, h, point_at(surface, place), place);
+    const Vertex v = split_edge_at(working, input_metric, h, point_at(surface, place), place);
     for(Halfedge i : mesh.halfedges_around_target(mesh.halfedge(v)))
     {
-      const double length = squared_length(mesh, mesh.edge(i));
-      if(length > limit)
+      const double length = metric.length(i);
+      if(length > maximum_length)
         queue.emplace(length, mesh.edge(i));
     }
   }
@@ -153,6 +158,8 @@ inline void make_working_surface(const Mesh& surface, double maximum_edge_length
   working.mesh = surface;
   working.place = working.mesh.add_property_map<Vertex, Place>("v:place").first;
   working.input_face = working.mesh.add_property_map<Face, Face>("f:input_face").first;
+  if(!Metric(surface).is_uniform())
+    working.density = add_density(working.mesh); // a copy of that of the input surface
   for(Face f : surface.faces())
   {
     working.input_face[f] = f;

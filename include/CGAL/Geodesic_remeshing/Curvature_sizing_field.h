@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_CURVATURE_SIZING_FIELD_H
+#define CGAL_GEODESIC_REMESHING_CURVATURE_SIZING_FIELD_H
+
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/curvature.h>
+#include <CGAL/Geodesic_remeshing/internal/size_field.h>
+#include <CGAL/Geodesic_remeshing/named_parameters.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+
+/*!
+ * \ingroup PkgGeodesicRemeshingSizingRef
+ *
+ * \brief A sizing field by curvature: short edges where the surface bends, long ones where it is flat (paper, section 4).
+ *
+ * The curvature of a vertex is a combination of the Gaussian curvature \f$K\f$ and the mean curvature \f$H\f$ with the weights \f$a\f$ and \f$b\f$
+ * of the user, \f$\kappa = a \sqrt{|K|} + b |H|\f$, in which both have the unit of an inverse length. The length at the vertex is proportional to
+ * \f$(\min(\kappa / \bar\kappa, 4) + 0.3)^{-0.8 c}\f$ with the mean \f$\bar\kappa\f$ over the surface and the contrast \f$c\f$: with 0 the sizing is
+ * uniform, with 0.5 the RMS distance from the surface is about the least, with more the deviation of the most bent parts falls further.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph`
+ *
+ * \cgalModels{GeodesicRemeshingSizingField}
+ *
+ * @sa `CGAL::geodesic_remeshing()`
+ * @sa `CGAL::Polygon_mesh_processing::interpolated_corrected_curvatures()`
+ */
+template <class TriangleMesh>
+class Curvature_sizing_field
+{
+public:
+  /// vertex descriptor
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /*!
+   * computes the curvatures of all vertices.
+   *
+   * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * @param tmesh a triangle mesh, with or without boundary
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{contrast}
+   *     \cgalParamDescription{how much the lengths differ, from 0 (not at all) to 2}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{`0.5`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{gaussian_weight}
+   *     \cgalParamDescription{the weight of the Gaussian curvature, not negative}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{`0.5`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{mean_weight}
+   *     \cgalParamDescription{the weight of the mean curvature, not negative; the two weights must not both be zero}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{`0.5`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{ball_radius}
+   *     \cgalParamDescription{the radius of the ball around a vertex over which the curvatures are averaged, in the unit of the coordinates}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{the faces around the vertex and its neighbours}
+   *     \cgalParamExtra{Of use on noisy surfaces; the time grows with the number of faces in a ball.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{gradation}
+   *     \cgalParamDescription{the largest growth of the length along the surface, see `Sizing_limits`}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{that of `Sizing_limits`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{minimum_length}
+   *     \cgalParamDescription{the smallest length, see `Sizing_limits`}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{`0`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{maximum_length}
+   *     \cgalParamDescription{the largest length, see `Sizing_limits`}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{infinity}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+   *                    as key type and `%Point_3` as value type}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not finite, or if a
+   *         parameter is out of its range
+   *
+   * \cgalBigO{n} for `n` vertices without `ball_radius`.
+   */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Curvature_sizing_field(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
+    : m_length(get(CGAL::dynamic_vertex_property_t<double>(), tmesh))
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    internal::Curvature_weights weights;
+    weights.contrast = choose_parameter(get_parameter(np, internal_np::contrast), weights.contrast);
+    weights.gaussian = choose_parameter(get_parameter(np, internal_np::gaussian_weight), weights.gaussian);
+    weights.mean = choose_parameter(get_parameter(np, internal_np::mean_weight), weights.mean);
+    weights.ball_radius = choose_parameter(get_parameter(np, internal_np::ball_radius), weights.ball_radius);
+    m_limits.gradation = choose_parameter(get_parameter(np, internal_np::gradation), m_limits.gradation);
+    m_limits.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_length), m_limits.minimum_length);
+    m_limits.maximum_length = choose_parameter(get_parameter(np, internal_np::maximum_length), m_limits.maximum_length);
+    internal::check_limits(m_limits);
+
+    for(auto v : vertices(tmesh))
+      put(m_length, v, 1.); // isolated vertices
+    internal::Input_surface<TriangleMesh> input;
+    internal::copy_input(tmesh, internal::vertex_points_of(tmesh, np), np, input, true);
+    const std::vector<double> lengths = internal::lengths_by_curvature(input.mesh, weights);
+    for(std::size_t i = 0; i < lengths.size(); ++i)
+      put(m_length, input.vertex_of[i], lengths[i]);
+  }
+
+  /// returns the length of the edges at `v`, relative to their mean length.
+  double at(vertex_descriptor v) const { return get(m_length, v); }
+
+  /// returns the limits given to the constructor, which `geodesic_remeshing()` keeps to.
+  const Sizing_limits& limits() const { return m_limits; }
+
+private:
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<double>>::const_type m_length;
+  Sizing_limits m_limits;
+};
+
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_CURVATURE_SIZING_FIELD_H
