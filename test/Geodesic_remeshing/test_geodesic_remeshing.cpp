@@ -368,7 +368,7 @@ TEST(Visitor, is_told_the_stages_in_their_order_and_the_progress)
   Witness witness;
   Mesh output;
   const auto summary = geodesic_remeshing(made::torus(3, 1, 40, 16), 2000, output, gp::visitor(std::ref(witness)));
-  const std::vector<std::string> order = {"input", "refinement", "distances", "regions", "curves", "samples", "strips",
+  const std::vector<std::string> order = {"input", "sizing", "refinement", "distances", "regions", "curves", "samples", "strips",
                                           "improvement", "output"};
   EXPECT_EQ(witness.stages, order);
   ASSERT_EQ(summary.seconds.size(), order.size());

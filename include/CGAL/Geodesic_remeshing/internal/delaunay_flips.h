@@ -53,11 +53,11 @@ public:
 private:
   using Point_2 = Kernel::Point_2;
 
-  // The apex over an edge of this length from the origin along the x axis
-  Point_2 apex(double length, Vertex a, Vertex b, Vertex c, double side) const
+  // The apex over the edge from a, the origin, to b on the x axis
+  Point_2 apex(double squared_length, double length, Vertex a, Vertex b, Vertex c, double side) const
   {
     const double left = m_metric.squared_length(a, c), right = m_metric.squared_length(b, c);
-    const double x = (length * length + left - right) / (2. * length);
+    const double x = (squared_length + left - right) / (2. * length);
     return Point_2(x, side * std::sqrt((std::max)(0., left - x * x)));
   }
 
@@ -65,11 +65,11 @@ private:
   {
     const Halfedge o = m_mesh.opposite(h);
     const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
-    const double length = m_metric.length(a, b);
+    const double squared_length = m_metric.squared_length(a, b), length = std::sqrt(squared_length);
     if(!(length > 0.))
       return false;
-    const Point_2 c = apex(length, a, b, m_mesh.target(m_mesh.next(h)), 1.);
-    const Point_2 d = apex(length, a, b, m_mesh.target(m_mesh.next(o)), -1.);
+    const Point_2 c = apex(squared_length, length, a, b, m_mesh.target(m_mesh.next(h)), 1.);
+    const Point_2 d = apex(squared_length, length, a, b, m_mesh.target(m_mesh.next(o)), -1.);
     return side_of_oriented_circle(Point_2(0., 0.), Point_2(length, 0.), c, d) == ON_POSITIVE_SIDE;
   }
 

@@ -124,13 +124,12 @@ private:
   [[noreturn]] void fail(double number)
   {
     const auto round = [](double x) { return std::to_string(static_cast<long long>(std::llround((std::min)(x, 1e18)))); };
-    std::string message = round(number) + " vertices cannot be had within the limits of the sizing";
-    if(m_limits.maximum_length < infinity)
-      message += ": with the largest length everywhere there are "
-               + round(number_of_vertices(std::vector<double>(m_wishes.size(), m_limits.maximum_length)));
-    if(m_limits.minimum_length > 0.)
-      message += std::string(m_limits.maximum_length < infinity ? "," : ":") + " with the smallest length everywhere there are "
-               + round(number_of_vertices(std::vector<double>(m_wishes.size(), m_limits.minimum_length)));
+    const auto number_with = [&](double length)
+    { return length > 0. && length < infinity ? round(number_of_vertices(std::vector<double>(m_wishes.size(), length))) : ""; };
+    const std::string fewest = number_with(m_limits.maximum_length), most = number_with(m_limits.minimum_length);
+    const std::string message = round(number) + " vertices are not within the limits of the sizing: its lengths allow"
+                              + (fewest.empty() ? "" : " no fewer than about " + fewest)
+                              + (fewest.empty() || most.empty() ? "" : " and") + (most.empty() ? "" : " no more than about " + most);
     throw Remeshing_error("geodesic remeshing: " + message);
   }
 
