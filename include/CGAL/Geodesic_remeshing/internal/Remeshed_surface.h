@@ -401,7 +401,7 @@ inline bool Remeshed_surface::find_middle(const Index h, Spot& middle) const
     const double distance = squared_distance(point, spots_[from].point + way);
     if(distance < least) {
       least = distance;
-      middle = {point, place, walker_.normal(place.face)};
+      middle = {point, place, walker_.normal(place.face), metric_.size(place)};
     }
   });
   return least < infinity;
