@@ -114,7 +114,175 @@ Mesh roof(const std::size_t n, const double steepness)
   });
 }
 
+// A square crossed by two lines, of which one does not reach the boundary on its one side.
+Constraints crossing_lines(const Mesh& square, const double middle, const double end)
+{
+  Constraints constraints{std::vector<char>(square.number_of_edges(), 0), std::vector<char>(square.number_of_vertices(), 0)};
+  for(const Edge e : square.edges()) {
+    const Point p = square.point(square.vertex(e, 0)), q = square.point(square.vertex(e, 1));
+    const auto is_both = [&](const double x, const double y) { return std::abs(x - middle) + std::abs(y - middle) < 1e-9; };
+    constraints.is_line[e] = square.is_border(e) || is_both(p.x(), q.x()) ||
+                             (is_both(p.y(), q.y()) && (std::max)(p.x(), q.x()) <= end);
+  }
+  for(const Vertex v : square.vertices()) {
+    std::size_t degree = 0, border = 0;
+    for(const Halfedge h : square.halfedges_around_target(square.halfedge(v))) {
+      degree += constraints.is_line[square.edge(h)];
+      border += square.is_border(square.edge(h));
+    }
+    constraints.is_corner[v] = (degree != 0 && degree != 2) || (border == 2 && square.degree(v) < 4);
+  }
+  return constraints;
+}
+
+void expect_consistent(const Lean_triangulation& table)
+{
+  std::size_t faces = 0, border = 0;
+  for(Index v = 0; v < table.vertex_slots(); ++v) {
+    if(table.is_removed(v))
+      continue;
+    Index ring = table.is_border(v), lines = 0;
+    table.for_each_outgoing(v, [&](const Index h) {
+      EXPECT_EQ(table.source(h), v);
+      lines += table.is_constrained(h);
+      ++ring;
+    });
+    EXPECT_EQ(ring, table.valence(v));
+    EXPECT_EQ(lines > 0, table.is_on_line(v));
+    border += table.is_border(v);
+  }
+  std::size_t border_edges = 0;
+  for(Index h = 0; h < 4 * table.face_slots(); ++h) {
+    if((h & 3) == 3 || table.is_removed_face(Lean_triangulation::face(h)))
+      continue;
+    faces += (h & 3) == 0;
+    const Index o = table.opposite(h);
+    if(o == Lean_triangulation::none) {
+      EXPECT_TRUE(table.is_constrained(h));
+      EXPECT_EQ(table.halfedge(table.source(h)), h);
+      ++border_edges;
+      continue;
+    }
+    EXPECT_EQ(table.opposite(o), h);
+    EXPECT_EQ(table.source(o), table.target(h));
+    EXPECT_EQ(table.is_constrained(o), table.is_constrained(h));
+  }
+  EXPECT_EQ(border, border_edges);
+  EXPECT_EQ(faces + 2, 2 * table.number_of_vertices() - border);    // Euler characteristic 1
+}
+
 } // namespace
+
+// Any mixture of changes keeps where lines end and cross, and their connections, and can be taken back.
+TEST(Lean_triangulation_with_lines, changes_keep_lines)
+{
+  const Mesh mesh = plane(12);
+  const Constraints constraints = crossing_lines(mesh, 6., 9.);
+  Lean_triangulation table(mesh, [&](const Edge e) { return constraints.is_line[e] != 0; });
+  const auto degrees = [&] {
+    std::vector<Index> result;
+    for(const Vertex v : mesh.vertices())
+      if(constraints.is_corner[v])
+        result.push_back(table.is_removed(v) ? 0 : table.line_degree(v));
+    return result;
+  };
+  const auto snapshot = [&] {
+    std::vector<Index> all;
+    for(Index h = 0; h < 4 * table.face_slots(); ++h)
+      if((h & 3) != 3 && !table.is_removed_face(Lean_triangulation::face(h)))
+        all.insert(all.end(), {h, table.source(h), table.opposite(h), table.is_constrained(h)});
+    for(Index v = 0; v < table.vertex_slots(); ++v)
+      all.insert(all.end(), {table.valence(v), table.is_removed(v) ? 0 : table.halfedge(v)});
+    return all;
+  };
+  table.reserve_free(100);
+  const auto degrees_before = degrees();
+  const auto before = snapshot();
+  Random_numbers random;
+  table.record();
+  std::size_t collapses = 0, splits = 0;
+  for(int i = 0; i < 6000; ++i) {
+    const Index f = static_cast<Index>(random(0, table.face_slots())), h = 4 * f + static_cast<Index>(random(0, 3));
+    if(table.is_removed_face(f))
+      continue;
+    const Index w = table.target(h);
+    const bool is_corner = w < mesh.number_of_vertices() && constraints.is_corner[Vertex(w)];
+    const int kind = static_cast<int>(random(0, 6));
+    if(kind == 0 && table.number_of_vertices() < 200) {
+      table.split_edge(h);
+      ++splits;
+    }
+    else if(kind == 1 && !is_corner && table.is_collapse_legal(h)) {
+      table.collapse(h);
+      ++collapses;
+    }
+    else if(kind > 1 && table.is_flip_legal(h))
+      table.flip(h);
+    if(i % 500 == 0)
+      expect_consistent(table);
+  }
+  expect_consistent(table);
+  EXPECT_GT(collapses, 200u);
+  EXPECT_GT(splits, 200u);
+  EXPECT_EQ(degrees(), degrees_before);
+  // The lines are still a connected graph that parts the square in three.
+  std::size_t line_vertices = 0, line_degrees = 0;
+  for(Index v = 0; v < table.vertex_slots(); ++v)
+    if(!table.is_removed(v) && table.is_on_line(v)) {
+      ++line_vertices;
+      line_degrees += table.line_degree(v);
+    }
+  EXPECT_EQ(line_vertices + 2, line_degrees / 2);
+  table.undo_to(0);
+  EXPECT_EQ(snapshot(), before);
+}
+
+TEST(Line_walker, slides_by_arc_length_and_stops_before_ends)
+{
+  const Mesh surface = plane(6);
+  const Constraints constraints = crossing_lines(surface, 3., 4.);
+  const Surface_walker walker(surface, constraints);
+  const Line_walker lines(walker, constraints);
+  const auto at = [&](const double x, const double y) {
+    for(const Vertex v : surface.vertices())
+      if(std::abs(surface.point(v).x() - x) + std::abs(surface.point(v).y() - y) < 1e-9)
+        return place_of_vertex(surface, v);
+    return Place();
+  };
+  const auto expect_at = [&](const Place& place, const double x, const double y) {
+    EXPECT_NEAR(walker.point(place).x(), x, 1e-12);
+    EXPECT_NEAR(walker.point(place).y(), y, 1e-12);
+  };
+  expect_at(lines.slide(at(3., 1.), Vector(7., .5, 0.)), 3., 1.5);      // along the line only
+  expect_at(lines.slide(lines.slide(at(3., 1.), Vector(0., .25, 0.)), Vector(0., 5., 0.)), 3., 2.125);   // an end at 3
+  expect_at(lines.slide(at(1., 0.), Vector(-.75, 0., 0.)), .25, 0.);
+  expect_at(lines.slide(at(1., 0.), Vector(-3., 0., 0.)), .5, 0.);      // a corner
+  expect_at(lines.slide(at(1., 3.), Vector(1.25, 0., 0.)), 2.25, 3.);
+  expect_at(lines.slide(at(4., 3.), Vector(-1., 0., 0.)), 4., 3.);      // at an end
+  expect_at(lines.middle(at(1., 0.), at(2., 0.), at(0., 0.)), 1.5, 0.);
+  expect_at(lines.middle(at(3., 3.), at(4., 3.), at(4., 3.)), 3.5, 3.); // from end to end
+  EXPECT_FALSE(lines.middle(at(0., 0.), at(3., 3.), at(3., 3.)).face.is_valid());
+}
+
+// Around a closed line there are two ways from anywhere to anywhere.
+TEST(Line_walker, closed_line)
+{
+  const Mesh surface = made::cylinder(2., 3., 40, 3, false);
+  const Constraints constraints = constraints_of(surface);
+  const Surface_walker walker(surface, constraints);
+  const Line_walker lines(walker, constraints);
+  const double edge = 4. * std::sin(CGAL_PI / 40.);
+  const auto on_rim = [&](const Index i) { return place_of_vertex(surface, Vertex(i % 40)); };
+  for(Index i = 0; i < 40; ++i) {
+    const Point p = walker.point(lines.middle(on_rim(i), on_rim(i + 30), on_rim(i + 35)));
+    EXPECT_NEAR(CGAL::squared_distance(p, surface.point(Vertex((i + 35) % 40))), 4. * 4., 1e-9) << i; // opposite
+    const Vector along = surface.point(Vertex((i + 1) % 40)) - surface.point(Vertex(i));
+    Place place = on_rim(i);
+    for(int step = 0; step < 3; ++step)
+      place = lines.slide(place, .25 * along);
+    EXPECT_NEAR(CGAL::squared_distance(walker.point(place), surface.point(Vertex(i))), CGAL::square(.75 * edge), 1e-9) << i;
+  }
+}
 
 class Improvement_of_lines : public testing::TestWithParam<std::tuple<int, double>>
 {
