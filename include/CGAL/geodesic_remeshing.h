@@ -14,6 +14,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Stage_clock.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
+#include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
@@ -141,18 +143,21 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, vertex_points_of(tmesh, np_in), np_in, input);
+  copy_input(tmesh, vertex_points_of(tmesh, np_in), np_in, input, true);
   const Mesh& surface = input.mesh;
 
   clock.stage("sizing", .03);
   const Goal goal = set_goal(target, wished_lengths(tmesh, input.vertex_of, np_in), sizing_limits_of(np_in), input.mesh);
-  const std::size_t n = goal.number_of_vertices;
   check_scale(goal.mean_edge_length);
+  const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
 
   clock.stage("refinement", .05);
   Working_surface working;
-  make_working_surface(surface, longest_working_edge * goal.mean_edge_length, working);
-  const double edge_length = edge_length_in_metric(working.mesh, goal);
+  make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
+  const std::vector<Line_piece> lines = trace_lines(working, constraints);
+  const Vertex_budget budget = make_budget(target, working.mesh, goal.number_of_vertices, lines, constraints);
+  const std::size_t n = budget.number_of_vertices;
+  const double edge_length = budget.edge_length;
   const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
 
   clock.stage("distances", .1);
@@ -160,7 +165,6 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   Fast_marching marching(triangulation);
   const std::vector<Vertex> roots = march_from_roots(surface, working.mesh, marching);
   const std::vector<double> distance = distances_in(marching, working.mesh);
-  check_number_of_vertices(n, fewest_vertices(working.mesh, roots));
   keep_working_surface(working.mesh, distance, kept);
 
   clock.stage("regions", .2);
@@ -173,8 +177,10 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   keep_curves(working.mesh, curves, kept);
 
   clock.stage("samples", .35);
+  const Line_samples on_lines =
+    sample_lines(surface, working, constraints, lines, budget.spacing_on_lines, edge_length, marching);
   const std::vector<Sample> samples =
-    sample_surface(surface, working, segmentation, curves, roots, edge_length, n);
+    sample_surface(surface, working, segmentation, curves, on_lines, roots, edge_length, n);
   keep_samples(samples, kept);
 
   clock.stage("strips", .45);

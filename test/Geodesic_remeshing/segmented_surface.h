@@ -10,6 +10,7 @@
 #ifndef GEODESIC_REMESHING_TEST_SEGMENTED_SURFACE_H
 #define GEODESIC_REMESHING_TEST_SEGMENTED_SURFACE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
 
 #include <cmath>

@@ -466,14 +466,6 @@ TEST(Bad_input, quadrilaterals)
   expect_refused<std::invalid_argument>(input, 100, "4 vertices");
 }
 
-TEST(Bad_input, boundary)
-{
-  expect_refused<std::invalid_argument>(made::plane(4), 100, "boundary");
-  Mesh input = made::sphere(3);
-  CGAL::Euler::remove_face(input.halfedge(Face(17)), input);
-  expect_refused<std::invalid_argument>(input, 100, "boundary");
-}
-
 TEST(Bad_input, empty)
 {
   Mesh input;

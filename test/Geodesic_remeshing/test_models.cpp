@@ -219,15 +219,6 @@ INSTANTIATE_TEST_SUITE_P(Models, Model_twice, testing::Values("dino", "eight"));
 
 // ---- what cannot be
 
-TEST(Model_with_boundary, is_refused)
-{
-  const Mesh input = read_model("pig");
-  Mesh output;
-  output.add_vertex(Point(1, 2, 3));
-  EXPECT_THROW(geodesic_remeshing(input, 1000, output), std::invalid_argument);
-  EXPECT_EQ(output.number_of_vertices(), 1u);
-}
-
 TEST(Model_of_quadrilaterals, is_refused)
 {
   Mesh input, output;

@@ -31,8 +31,8 @@ struct Sampled_surface
   Sampled_surface(const Mesh& mesh, std::size_t vertices)
     : edge_length(edge_length_for(area(mesh), vertices)), stages(mesh, std::sqrt(.75) * edge_length),
       curves(Curve_tracer(stages.working.mesh, stages.segmentation).trace()),
-      samples(sample_surface(stages.surface, stages.working, stages.segmentation, curves, stages.roots, edge_length,
-                             vertices))
+      samples(sample_surface(stages.surface, stages.working, stages.segmentation, curves, Line_samples(), stages.roots,
+                             edge_length, vertices))
   {}
 
   double edge_length;

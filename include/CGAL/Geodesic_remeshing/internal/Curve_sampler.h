@@ -11,7 +11,9 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H
 
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
 #include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
+#include <CGAL/Geodesic_remeshing/internal/Sample.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
 #include <algorithm>
@@ -23,17 +25,6 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// A vertex of the mesh to come
-struct Sample
-{
-  Face face;       // of the working surface, where the search for its place in it begins
-  Place place;     // on the input surface
-  Point point;
-  double size;     // of the mesh there, relative to the mean, see Metric
-  bool is_pinned;  // the root and the tips stay where they are
-  int region, level; // of its curve; level 0: on a top, a bridge, the root
-};
-
 // Distributes the vertices of the new mesh over the curves (paper, section 6): first the root, the tips and the bridges with
 // their T-junctions, then each curve, from the tops down, at equal distances and with the phase that puts each
 // vertex opposite the middle of an edge of the curve before.
@@ -43,9 +34,10 @@ public:
   // `edge_length` is the length the mesh aims at, `spacing` the one along the curves: a little different from it so
   // that the number of samples is the wanted number of vertices.
   Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
-                const Level_curves& curves, double edge_length, double spacing, std::size_t expected)
+                const Level_curves& curves, const Line_samples& lines, double edge_length, double spacing,
+                std::size_t expected)
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_metric(working.mesh),
-      m_segmentation(segmentation), m_curves(curves),
+      m_segmentation(segmentation), m_curves(curves), m_lines(lines),
       m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected)
   {
     m_samples.reserve(expected + expected / 8);
@@ -54,6 +46,8 @@ public:
 
   std::vector<Sample> run(const std::vector<Vertex>& roots)
   {
+    for(const Sample& sample : m_lines.samples)
+      add(sample);
     for(Vertex r : roots)
       add_vertex(r, true);
     for(Vertex v : m_segmentation.tips)
@@ -90,6 +84,23 @@ private:
   // On one curve samples keep their own distance, which in a thin tube may be smaller.
   double smallest_distance() const { return .5 * m_edge_length; }
 
+  // A row of samples on a line needs as much room as one on a curve. In the metric
+  double smallest_distance_from_lines() const { return .6 * m_edge_length; }
+
+  double distance_from_lines(Face f, const std::array<double, 3>& weights) const
+  {
+    if(m_lines.distance.empty())
+      return infinity;
+    const auto v = vertices_of(m_mesh, f);
+    return weights[0] * m_lines.distance[v[0]] + weights[1] * m_lines.distance[v[1]] + weights[2] * m_lines.distance[v[2]];
+  }
+
+  bool is_free(const Sample& sample, std::ptrdiff_t first_of_curve) const
+  {
+    return !(sample.distance_from_lines < smallest_distance_from_lines())
+        && is_free(sample.point, sample.size, first_of_curve);
+  }
+
   bool is_free(const Point& p, double size, std::ptrdiff_t first_of_curve) const
   {
     bool free = true;
@@ -106,9 +117,10 @@ private:
 
   bool add_vertex(Vertex v, bool is_pinned)
   {
-    if(!is_free(m_mesh.point(v), m_metric.size(v), static_cast<std::ptrdiff_t>(m_samples.size())))
+    if(!is_free(m_mesh.point(v), m_metric.size(v), static_cast<std::ptrdiff_t>(m_samples.size()))
+       || (!m_lines.distance.empty() && m_lines.distance[v] < smallest_distance_from_lines()))
       return false;
-    const Face f = m_mesh.face(m_mesh.halfedge(v));
+    const Face f = face_at(m_mesh, v);
     std::array<double, 3> weights = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       weights[i] = vertices_of(m_mesh, f)[i] == v ? 1. : 0.;
@@ -132,7 +144,9 @@ private:
     put(a, 1. - t);
     put(b, t);
     const Place place = place_on_input(m_surface, m_working, f, weights);
-    return Sample{f, place, internal::point_at(m_surface, place), m_input_metric.size(place), false, region, level};
+    Sample sample{f, place, internal::point_at(m_surface, place), m_input_metric.size(place), false, region, level};
+    sample.distance_from_lines = distance_from_lines(f, weights);
+    return sample;
   }
 
   // ---- polylines
@@ -213,7 +227,7 @@ private:
     for(int i = 0; i <= n; ++i)
     {
       Sample sample = sample_at(length * i / n, m_segmentation.field_region[bridge[middle]], 0);
-      if(!is_free(sample.point, sample.size, static_cast<std::ptrdiff_t>(m_samples.size())))
+      if(!is_free(sample, static_cast<std::ptrdiff_t>(m_samples.size())))
         continue;
       if(i == 0 && cut_low)
         pin(crossing_low);
@@ -283,7 +297,7 @@ private:
     for(int i = 0; i < n; ++i)
     {
       const Sample sample = sample_at(start + i * step, curve.region, curve.level);
-      if(is_free(sample.point, sample.size, first))
+      if(is_free(sample, first))
         add(sample);
     }
   }
@@ -305,7 +319,7 @@ private:
         double s = from + j * step;
         s -= s >= length ? length : 0.;
         const Sample sample = sample_at(s, curve.region, curve.level);
-        if(is_free(sample.point, sample.size, first))
+        if(is_free(sample, first))
           add(sample);
       }
     }
@@ -379,6 +393,7 @@ private:
   const Metric m_input_metric, m_metric;
   const Segmentation& m_segmentation;
   const Level_curves& m_curves;
+  const Line_samples& m_lines;
   const double m_edge_length, m_spacing;
   Point_grid m_grid;
   std::vector<Sample> m_samples;

@@ -147,14 +147,17 @@ void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const N
   check_fans(mesh);
 }
 
+inline double area(const Mesh& mesh, Face f)
+{
+  const auto v = vertices_of(mesh, f);
+  return std::sqrt(CGAL::squared_area(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])));
+}
+
 inline double area(const Mesh& mesh)
 {
   double sum = 0.;
   for(Face f : mesh.faces())
-  {
-    const auto v = vertices_of(mesh, f);
-    sum += std::sqrt(CGAL::squared_area(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])));
-  }
+    sum += area(mesh, f);
   return sum;
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -53,9 +54,12 @@ inline std::size_t vertices_for_length(double area, double length)
   return rounded_number_of_vertices(2. * area / (std::sqrt(3.) * length * length));
 }
 
-inline std::size_t vertices_for_faces(std::ptrdiff_t euler_characteristic, std::size_t faces)
+// On a surface with boundary, but for half of the vertices there: these are not known yet.
+inline std::size_t vertices_for_faces(const Mesh& surface, std::size_t faces)
 {
-  const std::ptrdiff_t vertices = static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic; // V - E + F, and 3 F = 2 E
+  const std::ptrdiff_t vertices = static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic(surface); // V - E + F, and 3 F = 2 E
+  if(!CGAL::is_closed(surface))
+    return static_cast<std::size_t>((std::max)(std::ptrdiff_t(1), vertices));
   if(vertices < 4)
     throw Remeshing_error("geodesic remeshing: no mesh of this topology has only " + std::to_string(faces) + " faces");
   return static_cast<std::size_t>(vertices);
@@ -70,7 +74,7 @@ std::size_t number_of_vertices_for(const Target& target, const Mesh& surface)
   if constexpr(std::is_same<Target, Edge_length>::value)
     return vertices_for_length(area(surface), target.value);
   else if constexpr(std::is_same<Target, Number_of_faces>::value)
-    return vertices_for_faces(euler_characteristic(surface), target.value);
+    return vertices_for_faces(surface, target.value);
   else
   {
     static_assert(std::is_integral<Target>::value, "geodesic_remeshing: the target is a number of vertices, "
@@ -91,14 +95,6 @@ inline std::size_t fewest_vertices(std::ptrdiff_t euler_characteristic)
   while(n * (n - 1) / 2 < 3 * (n - euler_characteristic))
     ++n;
   return static_cast<std::size_t>(n);
-}
-
-// Throws if no mesh with so few vertices has the topology of the surface.
-inline void check_number_of_vertices(std::size_t number, std::size_t needed)
-{
-  if(number < needed)
-    throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: the topology of the input "
-                          "needs " + std::to_string(needed));
 }
 
 } // namespace internal

@@ -25,13 +25,27 @@ namespace internal {
 // Geodesic Voronoi cells of the samples and their dual (paper, section 6), for a strip of any topology: cells are grown
 // along the edges of the working surface, and each is contracted into its sample, edge by edge, under the link condition. A
 // contraction under that condition keeps the surface what it is, so the dual is a manifold of the same topology by
-// construction, without a look at what the strip is.
+// construction, without a look at what the strip is. Lines, of which the boundary is always one, are kept: their vertices are contracted along
+// them only, so that the samples on a line end up joined by edges along it.
 class Cell_contractor
 {
 public:
+  using Line_map = Mesh::Property_map<Edge, bool>;
+
   Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples)
-    : m_mesh(mesh), m_cell(mesh.number_of_vertices(), none), m_mark(mesh.number_of_vertices(), none)
+    : Cell_contractor(mesh, samples, mesh.add_property_map<Edge, bool>("e:line", false).first)
+  {}
+
+  Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples, Line_map is_line)
+    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0), m_cell(mesh.number_of_vertices(), none),
+      m_mark(mesh.number_of_vertices(), none)
   {
+    for(Edge e : mesh.edges())
+    {
+      m_is_line[e] = m_is_line[e] || mesh.is_border(e);
+      if(m_is_line[e])
+        m_is_on_line[mesh.vertex(e, 0)] = m_is_on_line[mesh.vertex(e, 1)] = 1;
+    }
     grow_cells(samples);
   }
 
@@ -52,22 +66,34 @@ public:
 private:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-  // Dijkstra over the edges: coarse for distances, but every vertex is joined to its sample by edges within the cell
+  using Entry = std::pair<double, Vertex>;
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  // First along the lines, then from what lies on them and the other samples over the rest
   void grow_cells(const std::vector<Vertex>& samples)
   {
-    using Entry = std::pair<double, Vertex>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const Metric metric(m_mesh);
     std::vector<double> distance(m_mesh.number_of_vertices(), infinity);
+    Queue on_lines, others;
     for(Vertex s : samples)
     {
       if(!s.is_valid())
         continue;
       distance[s] = 0.;
       m_cell[s] = s.idx();
-      queue.emplace(0., s);
+      (m_is_on_line[s] ? on_lines : others).emplace(0., s);
     }
     m_grown.reserve(m_mesh.number_of_vertices());
+    grow(on_lines, distance, true);
+    for(Vertex v : m_mesh.vertices())
+      if(m_is_on_line[v] && m_cell[v] != none)
+        others.emplace(distance[v], v);
+    grow(others, distance, false);
+  }
+
+  // Dijkstra over the edges: coarse for distances, but every vertex is joined to its sample by edges within the cell
+  void grow(Queue& queue, std::vector<double>& distance, bool along_lines)
+  {
+    const Metric metric(m_mesh);
     while(!queue.empty())
     {
       const Entry top = queue.top();
@@ -75,11 +101,13 @@ private:
       const Vertex v = top.second;
       if(distance[v] < top.first)
         continue;
-      if(m_cell[v] != v.idx())
+      if(m_cell[v] != v.idx() && (m_is_on_line[v] != 0) == along_lines)
         m_grown.push_back(v);
       for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       {
         const Vertex w = m_mesh.source(h);
+        if(along_lines ? !m_is_line[m_mesh.edge(h)] : m_is_on_line[w] != 0)
+          continue;
         const double d = top.first + metric.length(h);
         if(!(d < distance[w]))
           continue;
@@ -146,12 +174,26 @@ private:
       else
         common += m_mark[w] == sample.idx();
     }
-    if(!to_sample.is_valid() || common != 2 || is_tetrahedron(to_sample))
+    if(!to_sample.is_valid() || common != (m_mesh.is_border(m_mesh.edge(to_sample)) ? 1 : 2) || !keeps_lines(to_sample)
+       || is_tetrahedron(to_sample))
       return false;
     for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if(m_mesh.source(h) != sample)
         m_mark[m_mesh.source(h)] = sample.idx();
     remove_source(to_sample);
+    return true;
+  }
+
+  // A vertex on a line goes along the line only, and not where two lines would become one.
+  bool keeps_lines(Halfedge h) const
+  {
+    if(!m_is_on_line[m_mesh.source(h)])
+      return true;
+    if(!m_is_line[m_mesh.edge(h)])
+      return false;
+    for(Halfedge g : {h, m_mesh.opposite(h)})
+      if(!m_mesh.is_border(g) && m_is_line[m_mesh.edge(m_mesh.next(g))] && m_is_line[m_mesh.edge(m_mesh.prev(g))])
+        return false;
     return true;
   }
 
@@ -173,35 +215,53 @@ private:
   bool is_tetrahedron(Halfedge h) const
   {
     const auto valence_is_three = [this](Halfedge g)
-    { return m_mesh.opposite(m_mesh.next(m_mesh.opposite(m_mesh.next(m_mesh.opposite(m_mesh.next(g)))))) == g; };
+    {
+      Halfedge around = g;
+      for(int i = 0; i < 3; ++i, around = m_mesh.opposite(m_mesh.next(around)))
+        if(m_mesh.is_border(around))
+          return false;
+      return around == g;
+    };
     return valence_is_three(h) && valence_is_three(m_mesh.opposite(h));
   }
 
-  // Removes the source of h and the two faces of its edge; the edges of the source become edges of the target.
+  // Removes the source of h and the faces of its edge, two or on the boundary one; the edges of the source become edges of the
+  // target.
   void remove_source(Halfedge h)
   {
     const Halfedge o = m_mesh.opposite(h);
     const Vertex u = m_mesh.source(h), s = m_mesh.target(h);
-    const Face f = m_mesh.face(h), g = m_mesh.face(o);
-    const Halfedge kept_left = m_mesh.next(h), gone_left = m_mesh.prev(h);
-    const Halfedge gone_right = m_mesh.next(o), kept_right = m_mesh.prev(o);
-    Halfedge around = gone_left;
+    const Halfedge start = m_mesh.prev(h);
+    Halfedge around = start;
     do
     {
       m_mesh.set_target(around, s);
       around = m_mesh.opposite(m_mesh.next(around));
-    } while(around != gone_left);
-    replace(m_mesh.opposite(gone_left), kept_left);
-    replace(m_mesh.opposite(gone_right), kept_right);
-    m_mesh.set_halfedge(s, m_mesh.opposite(kept_left));
-    m_mesh.set_halfedge(m_mesh.target(kept_left), kept_left);
-    m_mesh.set_halfedge(m_mesh.source(kept_right), m_mesh.opposite(kept_right));
+    } while(around != start);
+    const Halfedge left = m_mesh.next(h), right = m_mesh.prev(o);
+    const bool left_is_open = m_mesh.is_border(h);
+    remove_side(h, left, start);
+    remove_side(o, right, m_mesh.next(o));
+    m_mesh.set_halfedge(s, left_is_open ? right : m_mesh.opposite(left));
     m_mesh.remove_edge(m_mesh.edge(h));
-    m_mesh.remove_edge(m_mesh.edge(gone_left));
-    m_mesh.remove_edge(m_mesh.edge(gone_right));
-    m_mesh.remove_face(f);
-    m_mesh.remove_face(g);
     m_mesh.remove_vertex(u);
+  }
+
+  // Removes the face of a halfedge of the edge that goes, and of the face's other two edges the one at the vertex that goes
+  void remove_side(Halfedge h, Halfedge kept, Halfedge gone)
+  {
+    if(m_mesh.is_border(h))
+    {
+      m_mesh.set_next(m_mesh.prev(h), m_mesh.next(h));
+      return;
+    }
+    m_mesh.remove_face(m_mesh.face(h));
+    replace(m_mesh.opposite(gone), kept);
+    if(m_is_line[m_mesh.edge(gone)])
+      m_is_line[m_mesh.edge(kept)] = true;
+    for(Halfedge g : {kept, m_mesh.opposite(kept)})
+      m_mesh.set_halfedge(m_mesh.target(g), g);
+    m_mesh.remove_edge(m_mesh.edge(gone));
   }
 
   // Puts `kept` where `gone` is in the cycle of its face
@@ -211,10 +271,13 @@ private:
     m_mesh.set_next(m_mesh.prev(gone), kept);
     m_mesh.set_next(kept, m_mesh.next(gone));
     m_mesh.set_face(kept, f);
-    m_mesh.set_halfedge(f, kept);
+    if(f != Mesh::null_face())
+      m_mesh.set_halfedge(f, kept);
   }
 
   Mesh& m_mesh;
+  Line_map m_is_line;
+  std::vector<char> m_is_on_line;
   std::vector<std::uint32_t> m_cell;  // of a vertex: its sample
   std::vector<std::uint32_t> m_mark;  // of a vertex: the sample whose ring was marked last and holds it
   std::vector<Vertex> m_grown;        // all vertices but the samples, nearest to their sample first

@@ -31,6 +31,13 @@ class Delaunay_flipper
 public:
   explicit Delaunay_flipper(Mesh& mesh) : m_mesh(mesh), m_metric(mesh), m_queued(mesh.number_of_edges(), 1) {}
 
+  // Constrained edges stay.
+  Delaunay_flipper(Mesh& mesh, const Mesh::Property_map<Edge, bool>& is_constrained) : Delaunay_flipper(mesh)
+  {
+    m_is_constrained = is_constrained;
+    m_has_constraints = true;
+  }
+
   std::size_t run()
   {
     m_queue.assign(m_mesh.edges().begin(), m_mesh.edges().end());
@@ -42,7 +49,7 @@ public:
       const Edge e = m_queue.back();
       m_queue.pop_back();
       m_queued[e.idx()] = 0;
-      if(m_mesh.is_border(e) || !is_wrong(m_mesh.halfedge(e)) || !is_flippable(m_mesh.halfedge(e)))
+      if(m_mesh.is_border(e) || (m_has_constraints && m_is_constrained[e]) || !is_wrong(m_mesh.halfedge(e)) || !is_flippable(m_mesh.halfedge(e)))
         continue;
       flip(m_mesh.halfedge(e));
       ++flips;
@@ -126,6 +133,8 @@ private:
 
   Mesh& m_mesh;
   const Metric m_metric;
+  Mesh::Property_map<Edge, bool> m_is_constrained;
+  bool m_has_constraints = false;
   std::vector<char> m_queued;
   std::vector<Edge> m_queue;
 };

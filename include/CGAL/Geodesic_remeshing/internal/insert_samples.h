@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Makes samples vertices of the working surface: a vertex nearby becomes the sample, or an edge or a face is split at it.
+// Makes samples vertices of the working surface: a vertex nearby becomes the sample, or an edge or a face is split at it. Those on
+// lines become vertices of their line, the others never do.
 class Sample_inserter
 {
 public:
@@ -35,13 +36,17 @@ public:
   std::vector<Vertex> run(const std::vector<Sample>& samples)
   {
     m_is_sample.assign(m_mesh.number_of_vertices(), 0);
+    mark_lines();
     std::vector<Vertex> result;
     result.reserve(samples.size());
-    for(const Sample& s : samples)
+    for(std::size_t i = 0; i < samples.size(); ++i)
     {
-      const Vertex v = insert(s);
+      const Sample& s = samples[i];
+      const bool is_last_on_edge = i + 1 == samples.size() || samples[i + 1].line != s.line;
+      const Vertex v = s.vertex.is_valid() ? s.vertex : s.line.is_valid() ? insert_on_line(s, is_last_on_edge) : insert(s);
       result.push_back(v);
       m_is_sample.resize(m_mesh.number_of_vertices(), 0);
+      m_is_on_line.resize(m_mesh.number_of_vertices(), s.line.is_valid());
       if(v.is_valid())
         m_is_sample[v] = 1;
     }
@@ -53,6 +58,27 @@ public:
   }
 
 private:
+  void mark_lines()
+  {
+    m_is_on_line.assign(m_mesh.number_of_vertices(), 0);
+    for(Edge e : m_mesh.edges())
+      if(m_working.is_line[e])
+        m_is_on_line[m_mesh.vertex(e, 0)] = m_is_on_line[m_mesh.vertex(e, 1)] = 1;
+  }
+
+  // The samples come in their order along the line, so that after a split the halfedge is what is left up to its target. That
+  // vertex is taken over only by the last sample on the halfedge, or the order would change.
+  Vertex insert_on_line(const Sample& s, bool is_last_on_edge)
+  {
+    const auto is_near = [&](Vertex v)
+    { return !m_is_sample[v] && CGAL::squared_distance(s.point, m_mesh.point(v)) <= m_squared_snap * s.size * s.size; };
+    if(is_near(m_mesh.source(s.line)))
+      return m_mesh.source(s.line);
+    if(is_last_on_edge && is_near(m_mesh.target(s.line)))
+      return m_mesh.target(s.line);
+    return split_edge_at(m_working, m_input_metric, s.line, s.point, s.place);
+  }
+
   // Walks over the faces that the input face has been split into, to the one that holds the place. All of them are known by
   // their corners' coordinates in the input face, so this is plane geometry.
   Face locate(const Sample& s, std::array<double, 3>& weights) const
@@ -64,10 +90,7 @@ private:
       const int worst = static_cast<int>(std::min_element(weights.begin(), weights.end()) - weights.begin());
       if(weights[worst] > -1e-9)
         break;
-      Halfedge h = m_mesh.halfedge(f); // opposite to corner 2
-      for(int i = 2; i != worst; i = (i + 1) % 3)
-        h = m_mesh.next(h);
-      const Face g = m_mesh.face(m_mesh.opposite(h));
+      const Face g = m_mesh.face(m_mesh.opposite(halfedge_opposite_to(f, worst)));
       if(g == Mesh::null_face() || m_working.input_face[g] != s.place.face)
         break; // on the border of the input face, but for rounding
       f = g;
@@ -111,20 +134,29 @@ private:
       }
     }
     const double squared_snap = m_squared_snap * s.size * s.size;
-    if(distance <= squared_snap && !m_is_sample[nearest])
+    if(distance <= squared_snap && !m_is_sample[nearest] && !m_is_on_line[nearest])
       return nearest;
     if(!(distance > 1e-12 * squared_snap))
       return Vertex();
     const int low = static_cast<int>(std::min_element(weights.begin(), weights.end()) - weights.begin());
+    const Halfedge side = halfedge_opposite_to(f, low);
+    if(weights[low] < .01 && m_working.is_line[m_mesh.edge(side)])
+      return Vertex(); // as good as on a line, where it does not belong
     // a split of the face near one of its edges would leave a sliver
-    return weights[low] < .1 ? split_edge(f, low, weights) : split_face(f, s);
+    return weights[low] < .1 && !m_working.is_line[m_mesh.edge(side)] ? split_edge(side, low, weights) : split_face(f, s);
   }
 
-  Vertex split_edge(Face f, int opposite_corner, std::array<double, 3> weights)
+  Halfedge halfedge_opposite_to(Face f, int corner) const
   {
     Halfedge h = m_mesh.halfedge(f);
-    for(int i = 2; i != opposite_corner; i = (i + 1) % 3)
+    for(int i = 2; i != corner; i = (i + 1) % 3)
       h = m_mesh.next(h);
+    return h;
+  }
+
+  Vertex split_edge(Halfedge h, int opposite_corner, std::array<double, 3> weights)
+  {
+    const Face f = m_mesh.face(h);
     const double rest = 1. - weights[opposite_corner];
     weights[opposite_corner] = 0.;
     for(double& w : weights)
@@ -148,7 +180,7 @@ private:
   Mesh& m_mesh;
   const Metric m_input_metric;
   const double m_squared_snap;
-  std::vector<char> m_is_sample;
+  std::vector<char> m_is_sample, m_is_on_line;
 };
 
 } // namespace internal

@@ -184,20 +184,13 @@ Goal set_goal(const Target& target, const std::vector<double>& wishes, const Siz
   return result;
 }
 
-// The edge length in the metric that gives the surface so many vertices: one metric, its area measured where the faces are small
-inline double edge_length_in_metric(const Mesh& working, const Goal& goal)
+// The area of a face in the metric
+inline double area(const Mesh& mesh, const Metric& metric, Face f)
 {
-  const Metric metric(working);
   if(metric.is_uniform())
-    return goal.mean_edge_length;
-  double sum = 0.;
-  for(Face f : working.faces())
-  {
-    const auto v = vertices_of(working, f);
-    sum += std::sqrt(CGAL::squared_area(working.point(v[0]), working.point(v[1]), working.point(v[2])))
-         * Size_field::mean_of_inverse_squares({{metric.size(v[0]), metric.size(v[1]), metric.size(v[2])}});
-  }
-  return edge_length_for(sum, goal.number_of_vertices);
+    return area(mesh, f);
+  const auto v = vertices_of(mesh, f);
+  return area(mesh, f) * Size_field::mean_of_inverse_squares({{metric.size(v[0]), metric.size(v[1]), metric.size(v[2])}});
 }
 
 } // namespace internal

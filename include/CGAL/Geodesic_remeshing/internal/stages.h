@@ -12,12 +12,13 @@
 
 #include <CGAL/Geodesic_remeshing/internal/farthest_points.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
-#include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
 #include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/region_sweep.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+
+#include <CGAL/boost/graph/helpers.h>
 
 #include <vector>
 
@@ -42,35 +43,6 @@ inline std::vector<Vertex> march_from_roots(const Mesh& surface, const Mesh& wor
   return roots;
 }
 
-// The fewest vertices that every component together needs
-inline std::size_t fewest_vertices(const Mesh& surface, const std::vector<Vertex>& roots)
-{
-  std::size_t sum = 0;
-  std::vector<char> seen(surface.number_of_vertices(), 0);
-  std::vector<Vertex> stack;
-  for(Vertex root : roots)
-  {
-    std::ptrdiff_t vertices = 0, halfedges = 0;
-    stack.assign(1, root);
-    seen[root] = 1;
-    while(!stack.empty())
-    {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      ++vertices;
-      for(Halfedge h : surface.halfedges_around_target(surface.halfedge(v)))
-      {
-        ++halfedges;
-        if(!seen[surface.source(h)])
-          stack.push_back(surface.source(h));
-        seen[surface.source(h)] = 1;
-      }
-    }
-    sum += fewest_vertices(vertices - halfedges / 6); // E = H / 2 and 3 F = 2 E
-  }
-  return sum;
-}
-
 inline std::vector<double> distances_in(const Fast_marching& marching, const Mesh& mesh)
 {
   std::vector<double> result;
@@ -84,7 +56,9 @@ inline Segmentation segment(const Mesh& mesh, Fast_marching& marching, const std
                             const std::vector<Vertex>& roots, double curve_distance, bool use_segmentation)
 {
   const Vertex_order order = order_vertices(mesh, distance, roots);
-  return use_segmentation ? segment(mesh, marching, distance, order, curve_distance)
+  // The regions are those of closed surfaces: where a front runs into a boundary the segmentation has no rule. The distance from
+  // one root makes curves that are arcs there.
+  return use_segmentation && CGAL::is_closed(mesh) ? segment(mesh, marching, distance, order, curve_distance)
                           : one_region(mesh, distance, order, roots.front(), curve_distance);
 }
 

@@ -46,7 +46,7 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
 {
   // A cell that begins .15 e from its sample is the same cell, and costs no sliver
   const std::vector<Vertex> vertices = Sample_inserter(surface, working, .15 * edge_length).run(samples);
-  Cell_contractor(working.mesh, vertices).run();
+  Cell_contractor(working.mesh, vertices, working.is_line).run();
 
   const Metric metric(surface);
   if(!metric.is_uniform())
@@ -70,7 +70,10 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
       add(v, false);
   const auto index = CGAL::get(boost::vertex_index, dual);
   copy_connectivity(dual, index, CGAL::get(boost::halfedge_index, dual), dual.num_halfedges(), copy, result.mesh);
-  Delaunay_flipper(result.mesh).run();
+  std::size_t number = 0; // the copy has the edges in the same order
+  for(Edge e : dual.edges())
+    result.constrained[Edge(static_cast<Mesh::size_type>(number++))] = working.is_line[e];
+  Delaunay_flipper(result.mesh, result.constrained).run();
 }
 
 } // namespace internal

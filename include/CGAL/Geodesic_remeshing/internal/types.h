@@ -48,6 +48,12 @@ inline std::array<Vertex, 3> vertices_of(const Mesh& mesh, Face f)
   return {{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}};
 }
 
+inline Face face_at(const Mesh& mesh, Vertex v)
+{
+  const Halfedge h = mesh.halfedge(v);
+  return mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h);
+}
+
 inline Point point_at(const Mesh& mesh, const Place& place)
 {
   const auto v = vertices_of(mesh, place.face);

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_WORKING_SURFACE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_WORKING_SURFACE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
@@ -33,6 +34,7 @@ struct Working_surface
   Mesh mesh;
   Mesh::Property_map<Vertex, Place> place;     // of a vertex, on the input surface
   Mesh::Property_map<Face, Face> input_face;   // the face of the input surface that a face lies in
+  Mesh::Property_map<Edge, bool> is_line;      // of an edge on a line of the input
   Mesh::Property_map<Vertex, double> density;  // only where the input surface has one, see Metric
 
   // The property maps are those of this object's own mesh: moving would be fine, copying would not.
@@ -96,6 +98,7 @@ inline Vertex split_edge_at(Working_surface& working, const Metric& input_metric
   const Halfedge to_new = Euler::split_edge(h, mesh);
   const Vertex v = mesh.target(to_new);
   put_vertex(working, input_metric, v, point, place);
+  working.is_line[mesh.edge(to_new)] = working.is_line[mesh.edge(h)];
   if(f != Mesh::null_face())
   {
     const Halfedge d = Euler::split_face(to_new, mesh.next(mesh.next(to_new)), mesh);
@@ -111,7 +114,7 @@ inline Vertex split_edge_at(Working_surface& working, const Metric& input_metric
 
 // Bisects edges, longest first, until none is longer than `maximum_length`: the order that keeps angles from degrading
 // (Rivara's longest-edge bisection), ties by index.
-inline void split_long_edges(const Mesh& surface, Working_surface& working, double maximum_length)
+inline void split_long_edges(const Mesh& surface, Working_surface& working, double maximum_length, bool only_lines)
 {
   Mesh& mesh = working.mesh;
   const Metric metric(mesh), input_metric(surface);
@@ -119,8 +122,9 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
   const auto shorter = [](const Entry& a, const Entry& b)
   { return a.first < b.first || (!(b.first < a.first) && b.second < a.second); };
   std::vector<Entry> long_edges;
+  const auto is_long = [&](Edge e) { return metric.length(e) > maximum_length && (!only_lines || working.is_line[e]); };
   for(Edge e : mesh.edges())
-    if(metric.length(e) > maximum_length)
+    if(is_long(e))
       long_edges.emplace_back(metric.length(e), e);
   std::priority_queue<Entry, std::vector<Entry>, decltype(shorter)> queue(shorter, std::move(long_edges));
   while(!queue.empty())
@@ -141,11 +145,8 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
     const Place place = place_on_input(surface, working, f, weights);
     const Vertex v = split_edge_at(working, input_metric, h, point_at(surface, place), place);
     for(Halfedge i : mesh.halfedges_around_target(mesh.halfedge(v)))
-    {
-      const double length = metric.length(i);
-      if(length > maximum_length)
-        queue.emplace(length, mesh.edge(i));
-    }
+      if(is_long(mesh.edge(i)))
+        queue.emplace(metric.length(i), mesh.edge(i));
   }
 }
 
@@ -153,7 +154,11 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
 // no better a mesh, longer ones to bend the curves.
 constexpr double longest_working_edge = 1.5;
 
-inline void make_working_surface(const Mesh& surface, double maximum_edge_length, Working_surface& working)
+// On lines a third of that: distances from a line are those from its vertices.
+constexpr double part_on_lines = 1. / 3.;
+
+inline void make_working_surface(const Mesh& surface, const Constraints& constraints, double maximum_edge_length,
+                                 Working_surface& working)
 {
   working.mesh = surface;
   working.place = working.mesh.add_property_map<Vertex, Place>("v:place").first;
@@ -172,7 +177,16 @@ inline void make_working_surface(const Mesh& surface, double maximum_edge_length
       place.coordinates[i] = 1.;
     }
   }
-  split_long_edges(surface, working, maximum_edge_length);
+  working.is_line = working.mesh.add_property_map<Edge, bool>("e:line", false).first;
+  for(Edge e : surface.edges())
+    working.is_line[e] = !constraints.is_line.empty() && constraints.is_line[e.idx()];
+  split_long_edges(surface, working, maximum_edge_length, false);
+  split_long_edges(surface, working, part_on_lines * maximum_edge_length, true);
+}
+
+inline void make_working_surface(const Mesh& surface, double maximum_edge_length, Working_surface& working)
+{
+  make_working_surface(surface, Constraints(), maximum_edge_length, working);
 }
 
 } // namespace internal

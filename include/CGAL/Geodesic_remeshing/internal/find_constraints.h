@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CONSTRAINTS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CONSTRAINTS_H
+
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/find_corners.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Normals of the faces. A face without area has that of the neighbour across its longest side, so that a crease beside it
+// is found where its other sides are.
+inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
+{
+  const Metric metric(mesh);
+  std::vector<Vector> normal(mesh.number_of_faces(), Vector(0., 0., 0.));
+  std::vector<Face> flat;
+  for(Face f : mesh.faces())
+  {
+    const auto v = vertices_of(mesh, f);
+    const Vector a(mesh.point(v[0]), mesh.point(v[1])), b(mesh.point(v[0]), mesh.point(v[2]));
+    const Vector n = cross_product(a, b);
+    const double length = std::sqrt(n.squared_length()), sides = a.squared_length() + b.squared_length();
+    if(length > 1e-10 * sides)
+      normal[f] = n / length;
+    else
+      flat.push_back(f);
+  }
+  for(std::size_t before = flat.size() + 1; flat.size() < before;)
+  {
+    before = flat.size();
+    std::vector<Face> left;
+    for(Face f : flat)
+    {
+      Halfedge longest = mesh.halfedge(f);
+      for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        if(metric.length(h) > metric.length(longest))
+          longest = h;
+      const Face g = mesh.face(mesh.opposite(longest));
+      if(g != Mesh::null_face() && normal[g].squared_length() > 0.)
+        normal[f] = normal[g];
+      else
+        left.push_back(f);
+    }
+    flat.swap(left);
+  }
+  return normal;
+}
+
+// The edges at which the surface turns by at least this angle, as `Polygon_mesh_processing::detect_sharp_edges()` has it
+inline std::vector<char> find_sharp_edges(const Mesh& mesh, double angle_in_degrees)
+{
+  const double bound = std::cos(angle_in_degrees * CGAL_PI / 180.);
+  const std::vector<Vector> normal = normals_of_faces(mesh);
+  std::vector<char> is_sharp(mesh.number_of_edges(), 0);
+  for(Edge e : mesh.edges())
+  {
+    if(mesh.is_border(e))
+      continue;
+    const Vector& n = normal[mesh.face(mesh.halfedge(e, 0))];
+    const Vector& m = normal[mesh.face(mesh.halfedge(e, 1))];
+    is_sharp[e.idx()] = n.squared_length() > 0. && m.squared_length() > 0. && n * m <= bound;
+  }
+  return is_sharp;
+}
+
+// What an angle bound finds beside the features: spurs and specks shorter than the new edges, which could not show them. Only
+// what nobody has asked for is taken away; a spur gone may leave another one.
+inline void remove_specks(const Mesh& mesh, double edge_length, const std::vector<char>& is_given,
+                          const std::vector<char>& is_kept_vertex, std::vector<char>& is_line)
+{
+  const Metric metric(mesh);
+  for(bool changed = true; changed;)
+  {
+    changed = false;
+    const auto on_line = [&](Edge e) { return is_line[e.idx()] != 0; };
+    const std::vector<int> degree = degrees_on_lines(mesh, on_line);
+    const auto is_end = [&](Vertex v) { return degree[v] == 1 && !is_kept_vertex[v.idx()]; };
+    for(const Line_piece& piece : trace_lines(mesh, on_line, [&](Vertex v) { return degree[v] != 2; }))
+    {
+      const int ends = is_end(mesh.source(piece.halfedges.front())) + is_end(mesh.target(piece.halfedges.back()));
+      const double shortest = piece.is_ring ? .75 : ends;
+      const bool some_given = std::any_of(piece.halfedges.begin(), piece.halfedges.end(),
+                                          [&](Halfedge h) { return is_given[mesh.edge(h).idx()] != 0; });
+      if(length_of(metric, piece) < shortest * edge_length && !some_given)
+      {
+        changed = true;
+        for(Halfedge h : piece.halfedges)
+          is_line[mesh.edge(h).idx()] = 0;
+      }
+    }
+  }
+}
+
+template <class TriangleMesh, class NamedParameters>
+void mark_given_lines(const TriangleMesh& tmesh, const NamedParameters& np, const Input_surface<TriangleMesh>& input,
+                      std::vector<char>& is_line)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  const Mesh& mesh = input.mesh;
+  for(Edge e : mesh.edges())
+    is_line[e.idx()] = mesh.is_border(e);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
+  {
+    const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
+    std::size_t i = 0; // the copy has the edges in the order of the input
+    for(auto e : edges(tmesh))
+      is_line[i++] |= get(is_constrained, e) ? 1 : 0;
+  }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
+  {
+    const auto patch = get_parameter(np, internal_np::face_patch);
+    for(Edge e : mesh.edges())
+      if(!mesh.is_border(e) && get(patch, input.face_of[mesh.face(mesh.halfedge(e, 0))])
+                                 != get(patch, input.face_of[mesh.face(mesh.halfedge(e, 1))]))
+        is_line[e.idx()] = 1;
+  }
+}
+
+// All that the output has to follow: the boundary, the features, the edges and vertices that the user has constrained, and the
+// borders of his patches.
+template <class TriangleMesh, class NamedParameters>
+Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& np, const Input_surface<TriangleMesh>& input,
+                             double edge_length)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  const Mesh& mesh = input.mesh;
+  Constraints result{std::vector<char>(mesh.number_of_edges(), 0), std::vector<char>(mesh.number_of_vertices(), 0)};
+  mark_given_lines(tmesh, np, input, result.is_line);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+  {
+    const auto is_constrained = get_parameter(np, internal_np::vertex_is_constrained);
+    for(Vertex v : mesh.vertices())
+      result.is_corner[v.idx()] = get(is_constrained, input.vertex_of[v.idx()]) ? 1 : 0;
+  }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::features_angle_bound_t>::value)
+  {
+    const std::vector<char> is_given = result.is_line;
+    const std::vector<char> is_sharp = find_sharp_edges(mesh, CGAL::to_double(get_parameter(np, internal_np::features_angle_bound)));
+    for(Edge e : mesh.edges())
+      result.is_line[e.idx()] |= is_sharp[e.idx()];
+    remove_specks(mesh, edge_length, is_given, result.is_corner, result.is_line);
+    find_cone_tips(mesh, result);
+  }
+  find_corners(mesh, edge_length, result);
+  return result;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CONSTRAINTS_H

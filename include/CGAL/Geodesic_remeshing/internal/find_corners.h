@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CORNERS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CORNERS_H
+
+#include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Finds the vertices at which lines turn so sharply that no row of samples could follow. That is a matter of scale: the border of
+// a scanned face turns at every vertex, and is smooth for long triangles. So a line turns where the chords on both sides,
+// half an edge length long, do; where its own edges turn too, less of that is enough.
+class Corner_finder
+{
+public:
+  Corner_finder(const Mesh& mesh, double edge_length) : m_mesh(mesh), m_metric(mesh), m_reach(.5 * edge_length) {}
+
+  // The corners strictly inside a piece, or on a ring
+  std::vector<Vertex> run(const Line_piece& piece)
+  {
+    measure(piece);
+    m_candidates.clear();
+    for(std::size_t i = m_is_ring ? 0 : 1; i + 1 < m_points.size(); ++i)
+      consider(i);
+    std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b)
+              { return a.turn > b.turn || (!(b.turn > a.turn) && a.index < b.index); });
+    std::vector<Vertex> corners;
+    m_taken.clear();
+    if(!m_is_ring)
+      m_taken = {0., m_position.back()};
+    for(const Candidate& c : m_candidates)
+      if(is_far_from_taken(m_position[c.index]))
+      {
+        m_taken.push_back(m_position[c.index]);
+        corners.push_back(m_mesh.source(piece.halfedges[c.index]));
+      }
+    return corners;
+  }
+
+private:
+  static constexpr double sharp = 60. * CGAL_PI / 180., least = 30. * CGAL_PI / 180.;
+
+  struct Candidate
+  {
+    double turn;
+    std::size_t index;
+  };
+
+  void measure(const Line_piece& piece)
+  {
+    m_is_ring = piece.is_ring;
+    m_points.assign(1, m_mesh.point(m_mesh.source(piece.halfedges.front())));
+    m_position.assign(1, 0.);
+    for(Halfedge h : piece.halfedges)
+    {
+      m_points.push_back(m_mesh.point(m_mesh.target(h)));
+      m_position.push_back(m_position.back() + m_metric.length(h));
+    }
+  }
+
+  void consider(std::size_t i)
+  {
+    const double own = turn_at(i, 0.), wide = turn_at(i, m_reach);
+    if(wide >= least && (std::max)(own, wide) >= sharp)
+      m_candidates.push_back(Candidate{wide, i});
+  }
+
+  // The angle between the chords from a reach before a point to it and from it to a reach beyond; with no reach, its edges'
+  double turn_at(std::size_t i, double reach) const
+  {
+    const Vector before = m_points[i] - (reach > 0. ? point_at(m_position[i] - reach) : neighbour(i, false));
+    const Vector after = (reach > 0. ? point_at(m_position[i] + reach) : neighbour(i, true)) - m_points[i];
+    return std::atan2(std::sqrt(cross_product(before, after).squared_length()), before * after);
+  }
+
+  // The next point that is another one
+  Point neighbour(std::size_t i, bool forward) const
+  {
+    const std::size_t n = m_points.size() - 1;
+    for(std::size_t k = 1; k <= n; ++k)
+    {
+      const std::size_t j = forward ? i + k : i + n - k;
+      if(!m_is_ring && (forward ? j > n : j < n))
+        break;
+      if(m_points[j % n] != m_points[i])
+        return m_points[forward && j == n ? n : j % n];
+    }
+    return m_points[i];
+  }
+
+  Point point_at(double s) const
+  {
+    const double length = m_position.back();
+    if(m_is_ring)
+      s -= std::floor(s / length) * length;
+    if(!(s > 0.))
+      return m_points.front();
+    if(!(s < length))
+      return m_points.back();
+    const std::size_t j = std::upper_bound(m_position.begin(), m_position.end(), s) - m_position.begin();
+    const double t = (s - m_position[j - 1]) / (m_position[j] - m_position[j - 1]);
+    return m_points[j - 1] + t * (m_points[j] - m_points[j - 1]);
+  }
+
+  bool is_far_from_taken(double s) const
+  {
+    return std::all_of(m_taken.begin(), m_taken.end(), [&](double t)
+    {
+      const double d = std::abs(s - t);
+      return !((m_is_ring ? (std::min)(d, m_position.back() - d) : d) < m_reach);
+    });
+  }
+
+  const Mesh& m_mesh;
+  const Metric m_metric;
+  const double m_reach;
+  bool m_is_ring = false;
+  std::vector<Point> m_points;
+  std::vector<double> m_position, m_taken;
+  std::vector<Candidate> m_candidates;
+};
+
+// Where other than two line edges meet, and where a line turns sharply
+inline void find_corners(const Mesh& mesh, double edge_length, Constraints& constraints)
+{
+  const auto is_line = [&](Edge e) { return constraints.is_line[e.idx()] != 0; };
+  const std::vector<int> degree = degrees_on_lines(mesh, is_line);
+  for(Vertex v : mesh.vertices())
+    if(degree[v] != 0 && degree[v] != 2)
+      constraints.is_corner[v.idx()] = 1;
+  Corner_finder finder(mesh, edge_length);
+  for(const Line_piece& piece : trace_lines(mesh, constraints))
+    for(Vertex v : finder.run(piece))
+      constraints.is_corner[v.idx()] = 1;
+}
+
+// The tip of a cone is a feature of its own, where no line leads to it: here an angle of more than 90 degrees is missing.
+inline void find_cone_tips(const Mesh& mesh, Constraints& constraints)
+{
+  std::vector<double> angle(mesh.number_of_vertices(), 0.);
+  for(Face f : mesh.faces())
+  {
+    const auto v = vertices_of(mesh, f);
+    for(int i = 0; i < 3; ++i)
+    {
+      const Vector a(mesh.point(v[i]), mesh.point(v[(i + 1) % 3])), b(mesh.point(v[i]), mesh.point(v[(i + 2) % 3]));
+      angle[v[i]] += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+    }
+  }
+  const std::vector<int> degree = degrees_on_lines(mesh, [&](Edge e) { return constraints.is_line[e.idx()] != 0; });
+  for(Vertex v : mesh.vertices())
+    if(degree[v] == 0 && angle[v] < 1.5 * CGAL_PI)
+      constraints.is_corner[v.idx()] = 1;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CORNERS_H
