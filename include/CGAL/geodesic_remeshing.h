@@ -191,7 +191,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("improvement", .55);
   bool goes_on = true;
-  improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, Constraints(),
+  improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
           options.improvement(n, edge_length),
           [&](double done) { return goes_on = goes_on && clock.go_on(.55 + .4 * done); });
   if(!goes_on)
