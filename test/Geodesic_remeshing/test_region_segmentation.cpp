@@ -213,7 +213,7 @@ TEST(Working_surface, covers_the_input_with_short_edges)
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(working.mesh));
     EXPECT_EQ(support::topology_of(working.mesh), support::topology_of(c.mesh));
     for(Edge e : working.mesh.edges())
-      EXPECT_LE(squared_length(working.mesh, e), length * length);
+      EXPECT_LE(Metric(working.mesh).length(e), length);
     // no vertex but on the surface, and where it says
     for(Vertex v : working.mesh.vertices())
       EXPECT_LE(CGAL::squared_distance(point_at(c.mesh, working.place[v]), working.mesh.point(v)), 1e-24 * whole);
