@@ -257,12 +257,14 @@ inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
     return metric_.is_uniform() ? way : 2. * spot.size / (spot.size + spots_[w].size) * way;
   };
   Vector sum(0., 0., 0.);
-  if(!is_on_line(v)) {
-    connectivity_.for_each_neighbor(v, [&](const Index w) { sum = sum + way_to(w); });
-    return sum / static_cast<double>(connectivity_.valence(v));
-  }
-  for_each_neighbor_on_line(v, [&](const Index w) { sum = sum + way_to(w); });
-  return .5 * sum;
+  connectivity_.for_each_neighbor(v, [&](const Index w) { sum = sum + way_to(w); });
+  const Vector way = sum / static_cast<double>(connectivity_.valence(v));
+  if(!is_on_line(v))
+    return way;
+  // Evenly between those beside it on the line, to cover bent lines, and in the middle of all, for the angles.
+  Vector along(0., 0., 0.);
+  for_each_neighbor_on_line(v, [&](const Index w) { along = along + .5 * way_to(w); });
+  return .5 * (way + along);
 }
 
 inline int Remeshed_surface::energy(const int excess) const

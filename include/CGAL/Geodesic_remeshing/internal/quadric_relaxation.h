@@ -90,8 +90,7 @@ inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Qu
     if(table.is_removed(v) || remeshed.is_fixed(v))
       continue;
     const Vector way = remeshed.way_to_center_of_neighbors(v);
-    const bool is_held = quadric[v].weight > 0. && !remeshed.is_on_line(v);
-    try_way(remeshed, v, is_held ? quadric[v].least(remeshed.spot(v).point, way, pull) : way);
+    try_way(remeshed, v, quadric[v].weight > 0. ? quadric[v].least(remeshed.spot(v).point, way, pull) : way);
   }
 }
 
