@@ -15,8 +15,10 @@
 #include "command_line/output.h"
 #include "command_line/progress.h"
 #include "command_line/report.h"
+#include "command_line/sizing.h"
 #include "command_line/stage_files.h"
 
+#include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Timer.h>
 #include <CGAL/geodesic_remeshing.h>
@@ -51,21 +53,44 @@ GR::Summary remesh_to_target(const Mesh& input, const Options& options, Mesh& ou
   return CGAL::geodesic_remeshing(input, GR::Edge_length{*options.edge_length}, output, np);
 }
 
-GR::Summary remesh(const Mesh& input, const Options& options, Mesh& output, GR::Stage_results& stages)
+template <class NamedParameters>
+GR::Summary remesh_and_keep_stages(const Mesh& input, const Options& options, Mesh& output, GR::Stage_results& stages,
+                                   const NamedParameters& np)
 {
-  command_line::Progress progress(options.quiet);
-  const auto np = GR::parameters::use_segmentation(options.use_segmentation)
-                      .number_of_iterations(options.iterations)
-                      .visitor(std::ref(progress));
   if(options.regions.empty() && options.curves.empty())
     return remesh_to_target(input, options, output, np);
   return remesh_to_target(input, options, output, np.stage_results(std::ref(stages)));
 }
 
+GR::Summary remesh(command_line::Input& input, const Options& options, Mesh& output, GR::Stage_results& stages)
+{
+  const auto sizing = options.sizing.empty()
+                          ? Mesh::Property_map<Mesh::Vertex_index, double>()
+                          : command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file);
+  command_line::Progress progress(options.quiet);
+  const auto np = GR::parameters::use_segmentation(options.use_segmentation)
+                      .number_of_iterations(options.iterations)
+                      .visitor(std::ref(progress));
+  const auto remesh_by = [&](const auto& field) {
+    return remesh_and_keep_stages(input.mesh, options, output, stages,
+                                  np.sizing_field(std::cref(field))
+                                      .gradation(options.limits.gradation)
+                                      .minimum_length(options.limits.minimum_length)
+                                      .maximum_length(options.limits.maximum_length));
+  };
+  if(options.contrast)
+    return remesh_by(GR::Curvature_sizing_field<Mesh>(input.mesh, GR::parameters::contrast(*options.contrast)
+                                                                      .gaussian_weight(options.gaussian_weight)
+                                                                      .mean_weight(options.mean_weight)));
+  if(!options.sizing.empty())
+    return remesh_by(sizing);
+  return remesh_and_keep_stages(input.mesh, options, output, stages, np);
+}
+
 void run(const Options& options)
 {
   const auto write_output = command_line::mesh_writer(options.output);
-  const Mesh input = command_line::read_mesh(options.input);
+  command_line::Input input = command_line::read_mesh(options.input);
   command_line::Output_files files;
   files.announce(options.output);
   for(const std::string& name : {options.report, options.regions, options.curves})
@@ -86,9 +111,9 @@ void run(const Options& options)
   const bool is_measured = !options.quiet || !options.report.empty();
   if(is_measured)
   {
-    report.input = mesh_quality::measure_quality(input);
+    report.input = mesh_quality::measure_quality(input.mesh);
     report.output = mesh_quality::measure_quality(output);
-    report.distance = mesh_quality::measure_distance(input, output, 100000);
+    report.distance = mesh_quality::measure_distance(input.mesh, output, 100000);
   }
   files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
   files.put_into_place();

@@ -101,6 +101,18 @@ std::array<std::size_t, 2> vertices_and_faces_of_off(const std::string& name)
   return counts;
 }
 
+std::vector<std::array<double, 3>> points_of_off(const std::string& name)
+{
+  std::vector<std::array<double, 3>> points(vertices_and_faces_of_off(name)[0]);
+  std::ifstream in(name);
+  std::string skipped;
+  for(int i = 0; i < 4; ++i)
+    in >> skipped;
+  for(auto& p : points)
+    in >> p[0] >> p[1] >> p[2];
+  return points;
+}
+
 double mean_edge_length_of_off(const std::string& name)
 {
   std::ifstream in(name);
@@ -316,9 +328,77 @@ TEST_F(Command_line, wrong_usage)
 TEST_F(Command_line, option_that_does_not_exist_yet_is_refused)
 {
   const std::string usual = mesh("eight") + " " + output() + " --vertices 100 ";
-  for(const char* option : {"--contrast 0.5", "--gaussian-weight 1", "--mean-weight 1", "--gradation 1",
-                            "--sizing s.txt", "--feature-angle 60", "--fit", "--threads 2"})
+  for(const char* option : {"--feature-angle 60", "--fit", "--threads 2"})
     expect_failure(usual + option, 1, "unrecognised option");
+}
+
+TEST_F(Command_line, wrong_sizing_options)
+{
+  const std::string usual = mesh("eight") + " " + output() + " --vertices 100 ";
+  for(const char* wrong : {"--contrast -1", "--contrast 2.1", "--contrast nan", "--contrast high"})
+    expect_failure(usual + wrong, 1, "contrast");
+  expect_failure(usual + "--gaussian-weight 1", 1, "needs --contrast");
+  expect_failure(usual + "--mean-weight 1", 1, "needs --contrast");
+  expect_failure(usual + "--gradation 1", 1, "needs --contrast or --sizing");
+  expect_failure(usual + "--min-length 1", 1, "needs --contrast or --sizing");
+  expect_failure(usual + "--max-length 1", 1, "needs --contrast or --sizing");
+  expect_failure(usual + "--contrast 1 --sizing a.txt", 1, "exclude each other");
+  expect_failure(usual + "--contrast 1 --gaussian-weight 0 --mean-weight 0", 1, "must be positive");
+  expect_failure(usual + "--contrast 1 --mean-weight -1", 1, "must not be negative");
+  expect_failure(usual + "--contrast 1 --gradation 0", 1, "positive");
+  expect_failure(usual + "--contrast 1 --min-length inf", 1, "positive");
+  expect_failure(usual + "--contrast 1 --min-length 2 --max-length 1", 1, "above");
+  expect_failure(usual + "--contrast 1 --min-length 1", 3, "no more than");
+}
+
+TEST_F(Command_line, sizing_by_curvature)
+{
+  const std::string usual = mesh("eight") + " " + output() + " --vertices 1000 --report " + output("r.json") + " --contrast 0.6";
+  EXPECT_EQ(run(usual).status, 0);
+  EXPECT_EQ(vertices_and_faces_of_off(output())[0], 1000u);
+  const std::string first = contents(output());
+  EXPECT_EQ(run(usual + " --gaussian-weight 1 --mean-weight 0 --gradation 0.3").status, 0);
+  EXPECT_NE(contents(output()), first);
+}
+
+// Sizes as text and as PLY, the latter in both precisions: four times as long on one side as on the other
+TEST_F(Command_line, sizing_from_a_file)
+{
+  const auto input = points_of_off(mesh("eight"));
+  std::string text, ply, faces;
+  for(const auto& p : input)
+  {
+    const std::string size = p[0] > 0. ? "4" : "1";
+    text += size + "\n";
+    ply += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " " + size + "\n";
+  }
+  const auto header = [&](const std::string& type, const std::string& name) {
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(input.size()) +
+           "\nproperty float x\nproperty float y\nproperty float z\nproperty " + type + " " + name +
+           "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  };
+  const std::string usual = mesh("eight") + " " + output() + " --vertices 1000 --quiet --gradation 10 --sizing ";
+  EXPECT_EQ(run(usual + file("sizes.txt", text)).status, 0);
+  const std::string by_text = contents(output());
+  const auto result = points_of_off(output());
+  EXPECT_EQ(result.size(), 1000u);
+  std::size_t fine = 0;
+  for(const auto& p : result)
+    fine += p[0] <= 0.;
+  EXPECT_GT(fine, 800u);
+  for(const char* type : {"double", "float"})
+  {
+    EXPECT_EQ(run(usual + file("sizes.ply", header(type, "sizing") + ply + "3 0 1 2\n")).status, 0);
+    EXPECT_EQ(contents(output()), by_text);
+  }
+  fs::remove(output());
+  expect_failure(usual + (folder / "missing.txt").string(), 2, "cannot be opened");
+  expect_failure(usual + file("short.txt", "1 1 1"), 2, "has 3 numbers for " + std::to_string(input.size()));
+  expect_failure(usual + file("word.txt", "1 2 three"), 2, "\"three\" for number 2");
+  expect_failure(usual + file("zero.txt", "0" + text.substr(1)), 2, "vertex 0");
+  expect_failure(usual + file("nan.txt", "nan" + text.substr(1)), 2, "vertex 0");
+  expect_failure(usual + file("other.ply", header("double", "height") + ply + "3 0 1 2\n"), 2, "no vertex property");
+  expect_failure(usual + file("broken.ply", "ply\n"), 2, "broken.ply");
 }
 
 TEST_F(Command_line, unreadable_input)

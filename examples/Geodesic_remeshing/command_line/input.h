@@ -30,6 +30,9 @@ namespace command_line {
 using mesh_quality::Mesh;
 using mesh_quality::Point;
 
+// the vertex property of a mesh read: the number that the file has for it, which has vertices that no face uses as well
+constexpr const char* index_in_file = "v:index_in_file";
+
 // exit status 2
 struct Input_error : std::runtime_error
 {
@@ -212,10 +215,14 @@ inline Mesh make_mesh(const Soup& soup)
     for(const std::size_t v : polygon)
       used[v] = true;
   Mesh mesh;
+  auto index = mesh.add_property_map<Mesh::Vertex_index, std::size_t>(index_in_file).first;
   std::vector<Mesh::Vertex_index> vertices(soup.points.size());
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(used[v])
+    {
       vertices[v] = mesh.add_vertex(soup.points[v]);
+      index[vertices[v]] = v;
+    }
   for(std::size_t f = 0; f < soup.polygons.size(); ++f)
   {
     const auto& p = soup.polygons[f];
@@ -227,8 +234,14 @@ inline Mesh make_mesh(const Soup& soup)
 
 } // namespace internal
 
+struct Input
+{
+  Mesh mesh;
+  std::size_t vertices_in_file;
+};
+
 // The closed triangle mesh of a file; says what is wrong, and where, if it holds no such thing.
-inline Mesh read_mesh(const std::string& file_name)
+inline Input read_mesh(const std::string& file_name)
 {
   try
   {
@@ -237,7 +250,7 @@ inline Mesh read_mesh(const std::string& file_name)
     const auto sides = internal::sorted_sides(soup);
     internal::check_edges(sides);
     internal::check_vertices(soup, sides);
-    return internal::make_mesh(soup);
+    return {internal::make_mesh(soup), soup.points.size()};
   }
   catch(const Input_error& error)
   {

@@ -10,12 +10,15 @@
 #ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OPTIONS_H
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OPTIONS_H
 
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -38,6 +41,11 @@ struct Options
   unsigned int iterations = 3;
   bool use_segmentation = true;
   bool quiet = false;
+  std::optional<double> contrast; // a sizing by curvature
+  std::string sizing;             // the file of a sizing; empty: none
+  double gaussian_weight = .5;
+  double mean_weight = .5;
+  CGAL::Geodesic_remeshing::Sizing_limits limits;
   std::string report; // empty: none
   std::string regions;
   std::string curves;
@@ -55,6 +63,14 @@ inline po::options_description visible_options()
     ("vertices", po::value<long long>()->value_name("N"), "exactly N vertices")
     ("faces", po::value<long long>()->value_name("N"), "N faces")
     ("edge-length", po::value<double>()->value_name("L"), "edges about as long as L")
+    ("contrast", po::value<double>()->value_name("C"), "edges shorter where the surface bends: 0 uniform, 0.5 usual, up to 2")
+    ("gaussian-weight", po::value<double>()->value_name("A"), "weight of the Gaussian curvature (0.5); needs --contrast")
+    ("mean-weight", po::value<double>()->value_name("B"), "weight of the mean curvature (0.5); needs --contrast")
+    ("sizing", po::value<std::string>()->value_name("FILE"), "length of the edges at each vertex of INPUT, up to a common factor:\n"
+     "text with one number a vertex, or PLY with a vertex property \"sizing\"")
+    ("gradation", po::value<double>()->value_name("G"), "largest growth of the edges along the surface (0.12)")
+    ("min-length", po::value<double>()->value_name("L"), "no edges aim at less than L")
+    ("max-length", po::value<double>()->value_name("L"), "no edges aim at more than L")
     ("no-segmentation", po::bool_switch(), "one region: curves around the root all over the surface")
     ("iterations", po::value<long long>()->value_name("K"), "rounds of improvement (3)")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
@@ -115,6 +131,46 @@ inline std::string file_name(const po::variables_map& values, const std::string&
   return value;
 }
 
+// A number in [low, high], or in (low, high) if the ends are not allowed
+inline void read_number(const po::variables_map& values, const std::string& name, double low, double high, bool with_ends,
+                        double& result)
+{
+  if(values.count(name) == 0)
+    return;
+  const double value = values[name].as<double>();
+  if(!std::isfinite(value) || value < low || value > high || (!with_ends && !(value > low && value < high)))
+    throw Usage_error("--" + name + (high < std::numeric_limits<double>::infinity() ? " must be between 0 and 2"
+                                     : with_ends ? " must not be negative" : " must be a positive number"));
+  result = value;
+}
+
+inline void read_sizing(const po::variables_map& values, Options& options)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double contrast = 0.;
+  read_number(values, "contrast", 0., 2., true, contrast);
+  if(values.count("contrast") != 0)
+    options.contrast = contrast;
+  options.sizing = file_name(values, "sizing");
+  if(options.contrast && !options.sizing.empty())
+    throw Usage_error("--contrast and --sizing exclude each other");
+  for(const char* name : {"gaussian-weight", "mean-weight"})
+    if(values.count(name) != 0 && !options.contrast)
+      throw Usage_error(std::string("--") + name + " needs --contrast");
+  for(const char* name : {"gradation", "min-length", "max-length"})
+    if(values.count(name) != 0 && !options.contrast && options.sizing.empty())
+      throw Usage_error(std::string("--") + name + " needs --contrast or --sizing");
+  read_number(values, "gaussian-weight", 0., infinity, true, options.gaussian_weight);
+  read_number(values, "mean-weight", 0., infinity, true, options.mean_weight);
+  if(!(options.gaussian_weight + options.mean_weight > 0.))
+    throw Usage_error("one of --gaussian-weight and --mean-weight must be positive");
+  read_number(values, "gradation", 0., infinity, false, options.limits.gradation);
+  read_number(values, "min-length", 0., infinity, false, options.limits.minimum_length);
+  read_number(values, "max-length", 0., infinity, false, options.limits.maximum_length);
+  if(options.limits.minimum_length > options.limits.maximum_length)
+    throw Usage_error("--min-length must not be above --max-length");
+}
+
 inline void read_target(const po::variables_map& values, Options& options)
 {
   if(values.count("vertices") + values.count("faces") + values.count("edge-length") != 1)
@@ -160,6 +216,7 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   if(options.input.empty() || options.output.empty())
     throw Usage_error("INPUT and OUTPUT are needed (see --help)");
   internal::read_target(values, options);
+  internal::read_sizing(values, options);
   if(const auto iterations = internal::count(values, "iterations", 0))
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
   options.use_segmentation = !values["no-segmentation"].as<bool>();

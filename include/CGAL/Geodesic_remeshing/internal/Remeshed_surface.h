@@ -251,7 +251,9 @@ inline double Remeshed_surface::ring_badness(const Index v) const
 inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
 {
   const Spot& spot = spots_[v];
-  // in units of the length that the edge is to have, so that all pull alike
+  // In units of the length that the edge is to have, so that all pull alike. Without, a sizing is kept more exactly: to 2 percent in
+  // place of 8 where it changes fourfold over a sphere. With, vertices gather where they are wanted: the RMS distance of
+  // sizings by curvature is 3 to 5 percent less.
   const auto way_to = [&](const Index w) {
     const Vector way = spots_[w].point - spot.point;
     return metric_.is_uniform() ? way : 2. * spot.size / (spot.size + spots_[w].size) * way;
