@@ -107,6 +107,14 @@ Mesh l_shape(const int n)
   return made::blocks({made::Block{{{0, 0, 0}}, {{3 * n, n, n}}}, made::Block{{{0, n, 0}}, {{n, 2 * n, n}}}});
 }
 
+Mesh ring(const std::size_t around, const double radius, const double width)
+{
+  return grid(around, 1, true, false, [=](const double i, const double j) {
+    const double u = -2. * CGAL_PI * i / around, r = radius + width * j;
+    return Point(r * std::cos(u), r * std::sin(u), 0.);
+  });
+}
+
 Mesh roof(const std::size_t n, const double steepness)
 {
   return grid(2 * n, 2 * n, false, false, [=](const double i, const double j) {
@@ -297,6 +305,7 @@ protected:
       {"roof", roof(8, 1.), true, 30.},
       {"cylinder", made::cylinder(4., 10., 24, 10), false, 25.},
       {"open_cylinder", made::cylinder(4., 10., 24, 10, false), false, 30.},
+      {"narrow_ring", ring(24, 4., .8), false, 25.},
     };
     return all;
   }
@@ -317,4 +326,22 @@ TEST_P(Improvement_of_lines, keeps_them_and_reaches_the_count)
 }
 
 INSTANTIATE_TEST_SUITE_P(Counts, Improvement_of_lines,
-                         testing::Combine(testing::Range(0, 7), testing::Values(.5, .9, 1., 1.1, 2.)));
+                         testing::Combine(testing::Range(0, 8), testing::Values(.5, .9, 1., 1.1, 2.)));
+
+// Lines that end, cross and meet the boundary on flat ground, where no angle tells them
+class Improvement_of_given_lines : public testing::TestWithParam<double> {};
+
+TEST_P(Improvement_of_given_lines, keeps_them_and_reaches_the_count)
+{
+  const Mesh surface = plane(12);
+  const Constraints constraints = crossing_lines(surface, 6., 9.);
+  Start start;
+  spoil(surface, .2, start, constraints);
+  const std::size_t n = static_cast<std::size_t>(GetParam() * surface.number_of_vertices());
+  improve_to(surface, start, n, constraints);
+  EXPECT_EQ(start.mesh.number_of_vertices(), n);
+  expect_kept(surface, constraints, start, true);
+  EXPECT_GT(smallest_angle(start.mesh), 25.);
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, Improvement_of_given_lines, testing::Values(.4, .8, 1., 1.2, 2., 5.));

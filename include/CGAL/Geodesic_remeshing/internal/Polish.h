@@ -23,8 +23,8 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // Betters the worst triangles, one by one: by moving their vertices to wherever the smallest angle around is largest, and
-// where that is not enough by flips, and by collapses (of which the number of vertices tells; others are put in
-// elsewhere). Whatever makes the worst triangle around better is kept, whatever the valences; everything else taken back.
+// where that is not enough by flips, and by collapses and splits (of which the number of vertices tells; others are put in
+// or taken out elsewhere). Whatever makes the worst triangle around better is kept, whatever the valences; everything else taken back.
 class Polish
 {
 public:
@@ -41,8 +41,9 @@ public:
 private:
   bool better_by_flip(Index h);
   bool better_by_collapse(Index h);
-  double badness_around(const std::array<Index, 4>& vertices) const;
-  bool keep_if_better(const std::array<Index, 4>& vertices, double before);
+  bool better_by_split(Index h);
+  template <class Vertices> double badness_around(const Vertices& vertices) const;
+  template <class Vertices> bool keep_if_better(const Vertices& vertices, double before);
   double face_badness(Index f) const;
 
   Remeshed_surface& remeshed_;
@@ -77,6 +78,8 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
         if(!better_by_collapse(h) && table_.opposite(h) != Lean_triangulation::none)
           better_by_collapse(table_.opposite(h));
       });
+    if(do_collapse)
+      try_each([&](const Index h) { better_by_split(h); });
   }
   return bad.size();
 }
@@ -108,7 +111,7 @@ inline bool Polish::better_vertex(const Index v)
   return best < start;
 }
 
-inline double Polish::badness_around(const std::array<Index, 4>& vertices) const
+template <class Vertices> double Polish::badness_around(const Vertices& vertices) const
 {
   double sum = 0.;
   for(const Index v : vertices)
@@ -117,7 +120,7 @@ inline double Polish::badness_around(const std::array<Index, 4>& vertices) const
 }
 
 // Ends a trial that began with `record()`.
-inline bool Polish::keep_if_better(const std::array<Index, 4>& vertices, const double before)
+template <class Vertices> bool Polish::keep_if_better(const Vertices& vertices, const double before)
 {
   for(int round = 0; round < 2; ++round)
     for(const Index v : vertices)
@@ -147,10 +150,28 @@ inline bool Polish::better_by_collapse(const Index h)
     return false;
   const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
   const Index d = o == Lean_triangulation::none ? a : table_.apex(o);
-  const double before = badness_around({{a, b, c, d}});
+  const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
   remeshed_.record();
   table_.collapse(h);
-  return keep_if_better({{a, a, c, d}}, before);
+  return keep_if_better(std::array<Index, 4>{{a, a, c, d}}, before);
+}
+
+// Of an edge on a line: between lines that are nearer to each other than their vertices there have to be more of these.
+inline bool Polish::better_by_split(const Index h)
+{
+  Remeshed_surface::Spot middle;
+  if(!table_.is_constrained(h) || !remeshed_.find_middle(h, middle))
+    return false;
+  const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
+  const Index d = o == Lean_triangulation::none ? a : table_.apex(o);
+  // It must be worth a vertex: where there cannot be good triangles each split would ask for the next.
+  static const double good = badness_of_angle(25.);
+  const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
+  remeshed_.reserve_free(1);
+  remeshed_.record();
+  const Index w = table_.split_edge(h);
+  remeshed_.put(w, middle);
+  return keep_if_better(std::array<Index, 5>{{w, a, b, c, d}}, (std::max)(.6 * before, (std::min)(before, good)));
 }
 
 } // namespace internal

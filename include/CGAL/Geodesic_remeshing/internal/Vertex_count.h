@@ -54,7 +54,7 @@ private:
   bool split(Index h, Index other);
   bool split_edge(Index h);
   void find_edge_splits();
-  bool settle(const std::array<Index, 4>& changed);
+  bool settle(const std::array<Index, 4>& changed, bool is_line = false);
   double size_cost(Index v, Index w) const;
   double cost_of_lines(Index h) const;
   std::array<Index, 4> corners(Index h) const;
@@ -62,7 +62,10 @@ private:
 
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
+  static constexpr double least_angle = 10.;
+
   double squared_edge_length_;
+  double least_angle_on_lines_ = 30.;   // that a collapse along a line may leave; lowered only if nothing else is left
   std::vector<Change> changes_;
   std::vector<char> touched_;     // vertices whose valence or place has changed since the costs were found
 };
@@ -82,8 +85,11 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
       find_collapses();
     touched_.assign(table_.vertex_slots(), false);
     keep_cheapest(number);
-    if(apply(number) == 0)
+    if(apply(number) > 0)
+      continue;
+    if(least_angle_on_lines_ <= least_angle)
       return false;
+    least_angle_on_lines_ -= 10.;
   }
   return true;
 }
@@ -213,10 +219,11 @@ inline bool Vertex_count::collapse(const Index h)
   const Index a = around[0], b = around[1];
   const Vector way = remeshed_.spot(b).point - remeshed_.spot(a).point;
   const bool are_alike = remeshed_.is_on_line(a) == remeshed_.is_on_line(b);
+  const bool is_line = table_.is_constrained(h);
   table_.collapse(h);
   if(!remeshed_.is_fixed(a) && are_alike)
     remeshed_.put(a, remeshed_.spot_after(a, .5 * way));
-  return settle({{a, a, around[2], around[3]}});
+  return settle({{a, a, around[2], around[3]}}, is_line);
 }
 
 // Divides an edge of a line, or one from line to line, where no vertex is free to be split.
@@ -244,10 +251,12 @@ inline bool Vertex_count::split(const Index h, const Index other)
   return settle({{v, w, c, d}});
 }
 
-// Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come mend.
-inline bool Vertex_count::settle(const std::array<Index, 4>& changed)
+// Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come mend: of
+// little help is that to the vertices of lines, which cannot give way.
+inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const bool is_line)
 {
-  static const double mendable = badness_of_angle(10.);
+  static const double mendable_inside = badness_of_angle(least_angle);
+  const double mendable = is_line ? badness_of_angle(least_angle_on_lines_) : mendable_inside;
   for(int round = 0; round < 2; ++round)
     for(const Index v : changed)
       if(!remeshed_.is_fixed(v))
