@@ -155,10 +155,10 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   Working_surface working;
   make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
   const std::vector<Line_piece> lines = trace_lines(working, constraints);
-  const Vertex_budget budget = make_budget(target, working.mesh, goal.number_of_vertices, lines, constraints);
+  const Vertex_budget budget = make_budget(target, working, goal.number_of_vertices, lines, constraints);
   const std::size_t n = budget.number_of_vertices;
   const double edge_length = budget.edge_length;
-  const double curve_distance = std::sqrt(.75) * edge_length; // the height of an equilateral triangle (paper, section 4)
+  const double curve_distance = std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
 
   clock.stage("distances", .1);
   const Intrinsic_triangulation triangulation(working.mesh);
@@ -180,7 +180,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Line_samples on_lines =
     sample_lines(surface, working, constraints, lines, budget.spacing_on_lines, edge_length, marching);
   const std::vector<Sample> samples =
-    sample_surface(surface, working, segmentation, curves, on_lines, roots, edge_length, n);
+    sample_surface(surface, working, segmentation, curves, on_lines, roots, budget.curve_edge_length, n);
   keep_samples(samples, kept);
 
   clock.stage("strips", .45);

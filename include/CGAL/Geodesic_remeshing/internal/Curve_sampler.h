@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H
 
+#include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
 #include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
@@ -84,8 +85,7 @@ private:
   // On one curve samples keep their own distance, which in a thin tube may be smaller.
   double smallest_distance() const { return .5 * m_edge_length; }
 
-  // A row of samples on a line needs as much room as one on a curve. In the metric
-  double smallest_distance_from_lines() const { return .6 * m_edge_length; }
+  double smallest_distance_from_lines() const { return room_beside_lines * m_edge_length; }
 
   double distance_from_lines(Face f, const std::array<double, 3>& weights) const
   {

@@ -10,9 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_BUDGET_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_BUDGET_H
 
-#include <CGAL/Geodesic_remeshing/internal/Target.h>
-#include <CGAL/Geodesic_remeshing/internal/size_field.h>
-#include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
+#include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,135 +21,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-// A connected component of the input, as far as it matters for the number of vertices that it gets. Lengths and areas are those
-// of the metric.
-struct Extent
-{
-  double area = 0., boundary = 0.;
-  std::ptrdiff_t euler_characteristic = 0;
-  std::size_t boundary_loops = 0, corners = 0;
-
-  // Every loop needs three vertices of its own. With the loops filled in, the surface would be a closed one with
-  // at most a vertex more for each.
-  std::size_t fewest() const
-  {
-    const std::ptrdiff_t loops = static_cast<std::ptrdiff_t>(boundary_loops);
-    std::size_t topology = fewest_vertices(euler_characteristic + loops);
-    topology = boundary_loops == 0 ? topology : (std::max)(topology - (std::min)(boundary_loops, topology), 3 * boundary_loops);
-    return (std::max)(topology, corners);
-  }
-
-  // That triangles with this edge length have: a vertex for each sqrt(3)/2 e^2, and half a vertex more for each
-  // edge of the boundary
-  double wanted(double edge_length) const
-  {
-    return 2. * area / (std::sqrt(3.) * edge_length * edge_length) + .5 * boundary / edge_length;
-  }
-};
-
-inline std::vector<std::size_t> components_of(const Mesh& mesh, std::size_t& number)
-{
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> component_of(mesh.number_of_vertices(), none);
-  std::vector<Vertex> stack;
-  number = 0;
-  for(Vertex seed : mesh.vertices())
-  {
-    if(component_of[seed] != none)
-      continue;
-    component_of[seed] = number;
-    for(stack.assign(1, seed); !stack.empty();)
-    {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-        if(component_of[mesh.source(h)] == none)
-        {
-          component_of[mesh.source(h)] = number;
-          stack.push_back(mesh.source(h));
-        }
-    }
-    ++number;
-  }
-  return component_of;
-}
-
-inline std::vector<Extent> extents_of_components(const Mesh& mesh)
-{
-  std::size_t number;
-  const std::vector<std::size_t> component_of = components_of(mesh, number);
-  std::vector<Extent> extents(number);
-  const Metric metric(mesh);
-  for(Vertex v : mesh.vertices())
-    ++extents[component_of[v]].euler_characteristic;
-  for(Edge e : mesh.edges())
-    --extents[component_of[mesh.vertex(e, 0)]].euler_characteristic;
-  for(Face f : mesh.faces())
-  {
-    Extent& extent = extents[component_of[mesh.target(mesh.halfedge(f))]];
-    ++extent.euler_characteristic;
-    extent.area += area(mesh, metric, f);
-  }
-  std::vector<char> seen(mesh.number_of_halfedges(), 0);
-  for(Halfedge h : mesh.halfedges())
-  {
-    if(!mesh.is_border(h) || seen[h])
-      continue;
-    Extent& extent = extents[component_of[mesh.target(h)]];
-    ++extent.boundary_loops;
-    for(Halfedge g : mesh.halfedges_around_face(h))
-    {
-      seen[g] = 1;
-      extent.boundary += metric.length(g);
-    }
-  }
-  return extents;
-}
-
-inline void count_corners(const Mesh& mesh, const Constraints& constraints, std::vector<Extent>& extents)
-{
-  std::size_t number;
-  const std::vector<std::size_t> component_of = components_of(mesh, number);
-  for(Vertex v : mesh.vertices())
-    extents[component_of[v]].corners += v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()] != 0;
-}
-
-template <class Value>
-auto sum_over(const std::vector<Extent>& extents, const Value& value)
-{
-  decltype(value(extents.front())) sum = 0;
-  for(const Extent& e : extents)
-    sum += value(e);
-  return sum;
-}
-
-// Of all components, each at least what it needs
-inline double wanted(const std::vector<Extent>& extents, double edge_length)
-{
-  return sum_over(extents, [&](const Extent& e)
-                  { return (std::max)(static_cast<double>(e.fewest()), e.wanted(edge_length)); });
-}
-
-// The edge length at which the components together have this number of vertices, each at least what it needs: what small
-// ones take more than their share the others have less.
-inline double edge_length_for(const std::vector<Extent>& extents, std::size_t vertices)
-{
-  const double by_area = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), vertices);
-  const auto is_enough = [&](double edge_length)
-  { return !(wanted(extents, edge_length) > static_cast<double>(vertices) * (1. + 1e-9)); };
-  if(is_enough(by_area))
-    return by_area;
-  double low = by_area, high = 2. * by_area;
-  for(int i = 0; i < 30 && !is_enough(high); ++i)
-    high *= 2.;
-  for(int i = 0; i < 60; ++i)
-  {
-    const double middle = .5 * (low + high);
-    (is_enough(middle) ? high : low) = middle;
-  }
-  return high;
-}
 
 // The samples on lines: corners, and what lies inside the pieces. In numbers only
 class Line_budget
@@ -215,7 +84,9 @@ private:
 struct Vertex_budget
 {
   std::size_t number_of_vertices;
-  double edge_length, spacing_on_lines;
+  double edge_length;
+  double spacing_on_lines;
+  double curve_edge_length; // that of rows of triangles at the distance of the curves
 };
 
 inline void check_number_of_vertices(std::size_t number, std::size_t topology, std::size_t lines)
@@ -232,23 +103,26 @@ inline void check_number_of_vertices(std::size_t number, std::size_t topology, s
 
 // `number` is that of the target if it is a number, else what follows from the area alone.
 template <class Target>
-Vertex_budget make_budget(const Target& target, const Mesh& mesh, std::size_t number, const std::vector<Line_piece>& pieces,
-                          const Constraints& constraints)
+Vertex_budget make_budget(const Target& target, const Working_surface& working, std::size_t number,
+                          const std::vector<Line_piece>& pieces, const Constraints& constraints)
 {
-  std::vector<Extent> extents = extents_of_components(mesh);
-  count_corners(mesh, constraints, extents);
-  const Line_budget lines(mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
+  const auto wanted = [](const Extent& e, double edge_length) { return e.wanted(edge_length); };
+  std::vector<Extent> extents = extents_of_components(working);
+  count_corners(working.mesh, constraints, extents);
+  const Line_budget lines(working.mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
   const std::size_t fewest = sum_over(extents, [](const Extent& e) { return e.fewest(); });
   double spacing = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), number);
   if constexpr(std::is_same<Target, Edge_length>::value)
-    number = static_cast<std::size_t>(std::llround(wanted(extents, spacing)));
+    number = static_cast<std::size_t>(std::llround(
+      sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })));
   else if constexpr(std::is_same<Target, Number_of_faces>::value)
     number += (target.value + lines.edges_on_boundary(spacing)) / 2 - target.value / 2; // F = 2 V - 2 chi - B
   check_number_of_vertices(number, fewest, lines.fewest());
-  const double edge_length = edge_length_for(extents, number);
+  const double edge_length = edge_length_for(extents, number, wanted);
   if constexpr(!std::is_same<Target, Number_of_faces>::value)
     spacing = edge_length;
-  return Vertex_budget{number, edge_length, lines.spacing_for(spacing, number)};
+  return Vertex_budget{number, edge_length, lines.spacing_for(spacing, number),
+                       edge_length_for(extents, number, [](const Extent& e, double l) { return e.wanted_of_curves(l); })};
 }
 
 } // namespace internal

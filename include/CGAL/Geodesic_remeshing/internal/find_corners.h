@@ -22,11 +22,14 @@ namespace internal {
 
 // Finds the vertices at which lines turn so sharply that no row of samples could follow. That is a matter of scale: the border of
 // a scanned face turns at every vertex, and is smooth for long triangles. So a line turns where the chords on both sides,
-// half an edge length long, do; where its own edges turn too, less of that is enough.
+// half an edge length long, do; where its own edges turn too, less of that is enough. And a line of few long edges, as
+// machine parts have them, keeps their ends where there is room for samples between: it would lose more than a curve.
 class Corner_finder
 {
 public:
-  Corner_finder(const Mesh& mesh, double edge_length) : m_mesh(mesh), m_metric(mesh), m_reach(.5 * edge_length) {}
+  Corner_finder(const Mesh& mesh, double edge_length)
+    : m_mesh(mesh), m_metric(mesh), m_reach(.5 * edge_length), m_long_edge(1.5 * edge_length)
+  {}
 
   // The corners strictly inside a piece, or on a ring
   std::vector<Vertex> run(const Line_piece& piece)
@@ -51,7 +54,8 @@ public:
   }
 
 private:
-  static constexpr double sharp = 60. * CGAL_PI / 180., least = 30. * CGAL_PI / 180.;
+  static constexpr double degree = CGAL_PI / 180.;
+  static constexpr double sharp = 60. * degree, least = 30. * degree, of_polygon = 10. * degree, straight = 5. * degree;
 
   struct Candidate
   {
@@ -74,7 +78,8 @@ private:
   void consider(std::size_t i)
   {
     const double own = turn_at(i, 0.), wide = turn_at(i, m_reach);
-    if(wide >= least && (std::max)(own, wide) >= sharp)
+    if((wide >= least && (std::max)(own, wide) >= sharp)
+       || (own >= of_polygon && is_straight_beside(i, true) && is_straight_beside(i, false)))
       m_candidates.push_back(Candidate{wide, i});
   }
 
@@ -84,6 +89,24 @@ private:
     const Vector before = m_points[i] - (reach > 0. ? point_at(m_position[i] - reach) : neighbour(i, false));
     const Vector after = (reach > 0. ? point_at(m_position[i] + reach) : neighbour(i, true)) - m_points[i];
     return std::atan2(std::sqrt(cross_product(before, after).squared_length()), before * after);
+  }
+
+  // As far as a long edge reaches, or the piece
+  bool is_straight_beside(std::size_t i, bool forward) const
+  {
+    const std::size_t n = m_points.size() - 1;
+    for(std::size_t k = 1; k <= n; ++k)
+    {
+      if(!m_is_ring && (forward ? i + k >= n : k >= i))
+        return true;
+      const std::size_t j = (forward ? i + k : i + n - k) % n;
+      const double way = std::abs(m_position[j] - m_position[i]), length = m_position.back();
+      if((forward == (j > i) ? way : length - way) >= m_long_edge)
+        return true;
+      if(turn_at(j, 0.) >= straight)
+        return false;
+    }
+    return true;
   }
 
   // The next point that is another one
@@ -126,7 +149,7 @@ private:
 
   const Mesh& m_mesh;
   const Metric m_metric;
-  const double m_reach;
+  const double m_reach, m_long_edge;
   bool m_is_ring = false;
   std::vector<Point> m_points;
   std::vector<double> m_position, m_taken;
