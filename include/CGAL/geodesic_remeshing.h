@@ -160,31 +160,38 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const double edge_length = budget.edge_length;
   const double curve_distance = std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
 
+  std::vector<char> is_corner = constraints.is_corner;
+  is_corner.resize(working.mesh.number_of_vertices(), 0);
+  Working_surface cut;
+  const Working_surface& pieces = cut_along_lines(working, is_corner, cut);
+
   clock.stage("distances", .1);
-  const Intrinsic_triangulation triangulation(working.mesh);
+  const Intrinsic_triangulation triangulation(pieces.mesh);
   Fast_marching marching(triangulation);
-  const std::vector<Vertex> roots = march_from_roots(surface, working.mesh, marching);
-  const std::vector<double> distance = distances_in(marching, working.mesh);
-  keep_working_surface(working.mesh, distance, kept);
+  const Fronts_and_components fronts = march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching);
+  const std::vector<double> distance = distances_in(marching, pieces.mesh);
+  keep_working_surface(pieces.mesh, distance, kept);
 
   clock.stage("regions", .2);
   const Segmentation segmentation =
-    segment(working.mesh, marching, distance, roots, curve_distance, options.use_segmentation);
-  keep_regions(working.mesh, segmentation, kept);
+    segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
+  keep_regions(pieces.mesh, segmentation, kept);
 
   clock.stage("curves", .3);
-  const Level_curves curves = Curve_tracer(working.mesh, segmentation).trace();
-  keep_curves(working.mesh, curves, kept);
+  const Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
+  keep_curves(pieces.mesh, curves, kept);
 
   clock.stage("samples", .35);
-  const Line_samples on_lines =
-    sample_lines(surface, working, constraints, lines, budget.spacing_on_lines, edge_length, marching);
+  Line_samples on_lines;
+  on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
+  if(!lines.empty())
+    on_lines.distance = distances_from_lines(pieces.mesh, marching, 2. * edge_length);
   const std::vector<Sample> samples =
-    sample_surface(surface, working, segmentation, curves, on_lines, roots, budget.curve_edge_length, n);
+    sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots, budget.curve_edge_length, n);
   keep_samples(samples, kept);
 
   clock.stage("strips", .45);
-  summary.number_of_strips = find_strips(working.mesh, curves).second;
+  summary.number_of_strips = find_strips(pieces.mesh, curves).second;
   Placed_mesh remeshed;
   triangulate_strips(surface, working, samples, edge_length, remeshed);
   keep_strips(remeshed.mesh, kept);

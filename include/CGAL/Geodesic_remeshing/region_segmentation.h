@@ -150,7 +150,8 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   Fast_marching marching(triangulation);
   const std::vector<Vertex> roots = march_from_roots(input.mesh, working.mesh, marching);
   const std::vector<double> distance = distances_in(marching, working.mesh);
-  const Segmentation segmentation = segment(working.mesh, marching, distance, roots, curve_distance, true);
+  const Vertex_order order = order_vertices(working.mesh, distance, roots);
+  const Segmentation segmentation = segment(working.mesh, marching, distance, order, curve_distance);
 
   const std::vector<int> regions = regions_of_input_faces(input.mesh, working, segmentation);
   for(std::size_t i = 0; i < regions.size(); ++i)

@@ -98,29 +98,18 @@ inline std::vector<Line_piece> trace_lines(const Working_surface& working, const
                      [&](Vertex v) { return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()]; });
 }
 
-// Up to `farthest`, along the surface, so that a line is not near to another sheet. The edges on lines are
-// short enough for the distance from their vertices to do.
-inline std::vector<double> distances_from_lines(const Working_surface& working, Fast_marching& marching, double farthest)
+// Up to `farthest`, on a surface that is cut along the lines, so that a line is not near to what lies beyond another one or
+// on another sheet. The edges on lines are short enough for the distance from their vertices to do.
+inline std::vector<double> distances_from_lines(const Mesh& cut, Fast_marching& marching, double farthest)
 {
-  const std::vector<int> degree = degrees_on_lines(working.mesh, [&](Edge e) { return working.is_line[e]; });
   marching.clear();
-  for(Vertex v : working.mesh.vertices())
-    if(degree[v] > 0)
+  for(Vertex v : cut.vertices())
+    if(cut.is_border(v, false))
       marching.add_source(v);
   marching.march(Front_shape::planar, farthest);
-  std::vector<double> result(working.mesh.number_of_vertices(), farthest);
+  std::vector<double> result(cut.number_of_vertices(), farthest);
   for(Vertex v : marching.reached())
     result[v] = marching.distance(v);
-  return result;
-}
-
-inline Line_samples sample_lines(const Mesh& surface, const Working_surface& working, const Constraints& constraints,
-                                 const std::vector<Line_piece>& pieces, double spacing, double edge_length, Fast_marching& marching)
-{
-  Line_samples result;
-  result.samples = Line_sampler(surface, working).run(constraints, pieces, spacing);
-  if(!pieces.empty())
-    result.distance = distances_from_lines(working, marching, 2. * edge_length);
   return result;
 }
 

@@ -173,7 +173,7 @@ public:
   {
     std::vector<Vertex> left;
     for(Vertex v : m_mesh.vertices())
-      if(result.region[v] < 0 || result.field_region[v] < 0)
+      if(m_order.rank[v] != Vertex_order::none && (result.region[v] < 0 || result.field_region[v] < 0))
         left.push_back(v);
     for(std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
     {

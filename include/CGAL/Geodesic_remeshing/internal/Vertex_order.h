@@ -26,6 +26,7 @@ namespace internal {
 // is the vertex of rank i. No two floating-point numbers are ever compared for equality: ranks are.
 struct Vertex_order
 {
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1); // the rank of a vertex that is left out
   std::vector<Vertex> ascending;
   std::vector<std::uint32_t> rank;
 };
@@ -74,21 +75,27 @@ inline void flood_from(const std::vector<Vertex>& roots, const Mesh& mesh, Verte
 
 // \pre every connected component has exactly one of the `roots`, and no vertex is isolated
 inline Vertex_order order_vertices(const Mesh& mesh, const std::vector<double>& distance,
-                                   const std::vector<Vertex>& roots)
+                                   const std::vector<Vertex>& roots, const std::vector<Vertex>& vertices)
 {
   Vertex_order order;
-  order.ascending.assign(mesh.vertices().begin(), mesh.vertices().end());
-  order.rank.resize(mesh.number_of_vertices());
+  order.ascending = vertices;
+  order.rank.assign(mesh.number_of_vertices(), Vertex_order::none);
   std::sort(order.ascending.begin(), order.ascending.end(), [&](Vertex a, Vertex b)
             { return distance[a] < distance[b] || (!(distance[b] < distance[a]) && a < b); });
   for(std::size_t i = 0; i < order.ascending.size(); ++i)
     order.rank[order.ascending[i]] = static_cast<std::uint32_t>(i);
   std::size_t minima = 0;
-  for(Vertex v : mesh.vertices())
+  for(Vertex v : vertices)
     minima += !has_lower_neighbour(mesh, order.rank, v);
   if(minima != roots.size())
     flood_from(roots, mesh, order);
   return order;
+}
+
+inline Vertex_order order_vertices(const Mesh& mesh, const std::vector<double>& distance,
+                                   const std::vector<Vertex>& roots)
+{
+  return order_vertices(mesh, distance, roots, std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end()));
 }
 
 } // namespace internal

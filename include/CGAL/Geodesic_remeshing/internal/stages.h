@@ -11,14 +11,16 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 
 #include <CGAL/Geodesic_remeshing/internal/farthest_points.h>
+#include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
 #include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/cut_along_lines.h>
+#include <CGAL/Geodesic_remeshing/internal/line_regions.h>
+#include <CGAL/Geodesic_remeshing/internal/march_from_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/region_sweep.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
-
-#include <CGAL/boost/graph/helpers.h>
 
 #include <vector>
 
@@ -52,14 +54,63 @@ inline std::vector<double> distances_in(const Fast_marching& marching, const Mes
   return result;
 }
 
-inline Segmentation segment(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance,
-                            const std::vector<Vertex>& roots, double curve_distance, bool use_segmentation)
+// The components of a surface, closed ones apart from those with boundary, and where their fronts start
+struct Fronts_and_components
 {
-  const Vertex_order order = order_vertices(mesh, distance, roots);
-  // The regions are those of closed surfaces: where a front runs into a boundary the segmentation has no rule. The distance from
-  // one root makes curves that are arcs there.
-  return use_segmentation && CGAL::is_closed(mesh) ? segment(mesh, marching, distance, order, curve_distance)
-                          : one_region(mesh, distance, order, roots.front(), curve_distance);
+  std::vector<std::size_t> component_of;
+  std::vector<Vertex> closed, open; // vertices
+  std::vector<Vertex> roots;        // of the closed components
+  std::vector<Vertex> starts;       // on a line of each of the others
+};
+
+// Marches from roots in closed components, from lines in those with boundary.
+inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, const Mesh& mesh, const std::vector<char>& is_corner,
+                                                        Fast_marching& marching)
+{
+  Fronts_and_components result;
+  std::size_t number;
+  result.component_of = components_of(mesh, number);
+  std::vector<char> is_open(number, 0);
+  for(Edge e : mesh.edges())
+    if(mesh.is_border(e))
+      is_open[result.component_of[mesh.vertex(e, 0)]] = 1;
+  for(Vertex v : mesh.vertices())
+    (is_open[result.component_of[v]] ? result.open : result.closed).push_back(v);
+  if(!result.closed.empty())
+    for(Vertex r : march_from_roots(surface, mesh, marching))
+      if(!is_open[result.component_of[r]])
+        result.roots.push_back(r);
+  if(result.open.empty())
+    return result;
+  marching.clear();
+  for(Vertex r : result.roots)
+    marching.add_source(r);
+  marching.march(Front_shape::circular);
+  const std::vector<Line_piece> boundary = trace_lines(mesh, [&](Edge e) { return mesh.is_border(e); },
+                                                       [&](Vertex v) { return is_corner[v] && turns_at(mesh, v); });
+  result.starts = Line_fronts(mesh, result.component_of, number, boundary).march(marching);
+  return result;
+}
+
+inline Segmentation segment(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance,
+                            const Fronts_and_components& fronts, double curve_distance, bool use_segmentation)
+{
+  Segmentation result;
+  if(!fronts.closed.empty())
+  {
+    const Vertex_order order = order_vertices(mesh, distance, fronts.roots, fronts.closed);
+    result = use_segmentation ? segment(mesh, marching, distance, order, curve_distance)
+                              : one_region(mesh, distance, order, fronts.roots.front(), curve_distance);
+  }
+  if(!fronts.open.empty())
+  {
+    add_line_regions(distance, fronts.starts, fronts.open, fronts.component_of, curve_distance, result);
+    const Vertex_order order = order_vertices(mesh, distance, fronts.starts, fronts.open);
+    for(Vertex v : Region_sweep(mesh, distance, order, curve_distance).run(nullptr))
+      if(is_pointed(mesh, v, curve_distance))
+        result.tips.push_back(v);
+  }
+  return result;
 }
 
 // ---- for those who want to look at the stages

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CUT_ALONG_LINES_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_CUT_ALONG_LINES_H
+
+#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Cuts the working surface open along the lines inside it. Every line becomes a boundary, so that fronts and curves do not know
+// what is beyond (paper, section 6: nothing is triangulated across a feature). Faces and, of the vertices, the first of each
+// keep their numbers.
+class Line_cutter
+{
+public:
+  Line_cutter(Working_surface& cut, std::vector<char>& is_corner)
+    : m_cut(cut), m_mesh(cut.mesh), m_is_corner(is_corner), m_has_density(!Metric(cut.mesh).is_uniform()),
+      m_is_used(cut.mesh.number_of_vertices(), 0)
+  {}
+
+  void run()
+  {
+    const std::size_t edges = m_mesh.number_of_edges();
+    for(std::size_t e = 0; e < edges; ++e)
+      if(m_cut.is_line[Edge(static_cast<Mesh::size_type>(e))] && !m_mesh.is_border(Edge(static_cast<Mesh::size_type>(e))))
+        open(m_mesh.halfedge(Edge(static_cast<Mesh::size_type>(e)), 1));
+    for(Halfedge h : m_mesh.halfedges())
+      if(m_mesh.is_border(h))
+        close_border(h);
+  }
+
+private:
+  // A new edge takes the place of the old one beside the face of h.
+  void open(Halfedge h)
+  {
+    const Halfedge g = m_mesh.add_edge(m_mesh.source(h), m_mesh.target(h));
+    const Face f = m_mesh.face(h);
+    m_mesh.set_next(g, m_mesh.next(h));
+    m_mesh.set_next(m_mesh.prev(h), g);
+    m_mesh.set_face(g, f);
+    m_mesh.set_halfedge(f, g);
+    m_mesh.set_face(h, Mesh::null_face());
+    m_cut.is_line[m_mesh.edge(g)] = true;
+  }
+
+  // From a halfedge on the border around its target to the one that the border leaves by: what lies between has a vertex of its own.
+  void close_border(Halfedge border)
+  {
+    Vertex v = m_mesh.target(border);
+    if(m_is_used[v])
+      v = copy_of(v);
+    m_is_used[v] = 1;
+    m_mesh.set_target(border, v);
+    m_mesh.set_halfedge(v, border);
+    Halfedge h = m_mesh.opposite(border);
+    while(!m_mesh.is_border(h))
+    {
+      m_mesh.set_target(m_mesh.prev(h), v);
+      h = m_mesh.opposite(m_mesh.prev(h));
+    }
+    m_mesh.set_next(border, h);
+  }
+
+  Vertex copy_of(Vertex v)
+  {
+    const Vertex copy = m_mesh.add_vertex(m_mesh.point(v));
+    m_cut.place[copy] = m_cut.place[v];
+    if(m_has_density)
+      m_cut.density[copy] = m_cut.density[v];
+    m_is_used.push_back(0);
+    m_is_corner.push_back(m_is_corner[v]);
+    return copy;
+  }
+
+  Working_surface& m_cut;
+  Mesh& m_mesh;
+  std::vector<char>& m_is_corner;
+  const bool m_has_density;
+  std::vector<char> m_is_used;
+};
+
+// The working surface itself where no line is inside it, else `cut`. `is_corner` is continued for the new vertices.
+inline const Working_surface& cut_along_lines(const Working_surface& working, std::vector<char>& is_corner,
+                                              Working_surface& cut)
+{
+  const Mesh& mesh = working.mesh;
+  if(std::none_of(mesh.edges_begin(), mesh.edges_end(), [&](Edge e) { return working.is_line[e] && !mesh.is_border(e); }))
+    return working;
+  cut.mesh = mesh;
+  cut.place = *cut.mesh.property_map<Vertex, Place>("v:place");
+  cut.input_face = *cut.mesh.property_map<Face, Face>("f:input_face");
+  cut.is_line = *cut.mesh.property_map<Edge, bool>("e:line");
+  if(!Metric(mesh).is_uniform())
+    cut.density = *cut.mesh.property_map<Vertex, double>(Metric::property);
+  Line_cutter(cut, is_corner).run();
+  return cut;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_CUT_ALONG_LINES_H
