@@ -87,6 +87,13 @@ GR::Summary remesh(command_line::Input& input, const Options& options, Mesh& out
   return remesh_and_keep_stages(input.mesh, options, output, stages, np);
 }
 
+GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Options& options)
+{
+  const auto np = GR::parameters::default_values();
+  return options.vertices ? GR::is_valid_remeshing(input, output, GR::parameters::expected_number_of_vertices(*options.vertices))
+                          : GR::is_valid_remeshing(input, output, np);
+}
+
 void run(const Options& options)
 {
   const auto write_output = command_line::mesh_writer(options.output);
@@ -115,6 +122,8 @@ void run(const Options& options)
     report.output = mesh_quality::measure_quality(output);
     report.distance = mesh_quality::measure_distance(input.mesh, output, 100000);
   }
+  if(options.check)
+    report.validity = check(input.mesh, output, options);
   files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
   files.put_into_place();
   if(!options.quiet)

@@ -40,6 +40,7 @@ struct Options
   std::optional<double> edge_length;
   unsigned int iterations = 3;
   bool use_segmentation = true;
+  bool check = false;
   bool quiet = false;
   std::optional<double> contrast; // a sizing by curvature
   std::string sizing;             // the file of a sizing; empty: none
@@ -76,6 +77,7 @@ inline po::options_description visible_options()
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
     ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")
     ("curves", po::value<std::string>()->value_name("FILE.obj"), "write the equidistant curves")
+    ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
     ("quiet", po::bool_switch(), "no progress, no table")
     ("help", po::bool_switch(), "print this and end")
     ("version", po::bool_switch(), "print the version and end");
@@ -220,6 +222,7 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   if(const auto iterations = internal::count(values, "iterations", 0))
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
   options.use_segmentation = !values["no-segmentation"].as<bool>();
+  options.check = values["check"].as<bool>();
   options.quiet = values["quiet"].as<bool>();
   options.report = internal::file_name(values, "report");
   options.regions = internal::file_name(values, "regions");

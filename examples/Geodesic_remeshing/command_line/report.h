@@ -12,11 +12,13 @@
 
 #include "../include/mesh_quality.h"
 
+#include <CGAL/Geodesic_remeshing/is_valid_remeshing.h>
 #include <CGAL/geodesic_remeshing.h>
 
 #include <nlohmann/json.hpp>
 
 #include <iomanip>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -30,6 +32,7 @@ struct Report
   mesh_quality::Distance distance;
   CGAL::Geodesic_remeshing::Summary summary;
   double seconds = 0.; // user CPU of the remeshing as a whole
+  std::optional<CGAL::Geodesic_remeshing::Remeshing_validity> validity; // if it was asked for
 };
 
 namespace internal {
@@ -45,6 +48,22 @@ inline nlohmann::ordered_json to_json(const mesh_quality::Quality& quality)
           {"mean_min_angle", quality.mean_min_angle},
           {"percent_below_30", quality.percent_below_30},
           {"percent_irregular", quality.percent_irregular}};
+}
+
+inline nlohmann::ordered_json to_json(const CGAL::Geodesic_remeshing::Remeshing_validity& validity)
+{
+  return {{"valid", static_cast<bool>(validity)},
+          {"manifold", validity.is_manifold},
+          {"same_components", validity.has_same_components},
+          {"same_genus", validity.has_same_genus},
+          {"same_boundary_loops", validity.has_same_boundary_loops},
+          {"number_of_vertices", validity.has_number_of_vertices},
+          {"distance", validity.distance},
+          {"degenerate_faces", validity.degenerate_faces},
+          {"flipped_faces", validity.flipped_faces},
+          {"self_intersections", validity.self_intersections},
+          {"input_intersects_itself", validity.input_intersects_itself},
+          {"line_distance", validity.line_distance}};
 }
 
 inline void write_row(std::ostream& out, const std::string& name, const mesh_quality::Quality& quality)
@@ -76,6 +95,8 @@ inline void write_json(std::ostream& out, const Report& report)
   for(const auto& [stage, seconds] : report.summary.seconds)
     json["seconds"][stage] = seconds;
   json["seconds"]["total"] = report.seconds;
+  if(report.validity)
+    json["check"] = internal::to_json(*report.validity);
   out << json.dump(2) << "\n";
 }
 
@@ -92,6 +113,8 @@ inline void write_table(std::ostream& out, const Report& report)
       << report.summary.number_of_regions << " regions, " << report.summary.number_of_curves << " curves, "
       << report.summary.number_of_strips << " strips; " << std::fixed << std::setprecision(2) << report.seconds
       << " s of CPU\n";
+  if(report.validity)
+    out << *report.validity;
 }
 
 } // namespace command_line

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_COMPARE_SURFACES_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_COMPARE_SURFACES_H
+
+#include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_halfedge_graph_segment_primitive.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// Judges a remeshing by its two meshes alone: nothing here knows how it was made.
+
+struct Shape
+{
+  std::size_t components = 0, boundary_loops = 0;
+  std::ptrdiff_t euler_characteristic = 0;
+
+  std::ptrdiff_t twice_genus() const
+  {
+    return 2 * static_cast<std::ptrdiff_t>(components) - static_cast<std::ptrdiff_t>(boundary_loops) - euler_characteristic;
+  }
+};
+
+inline Shape shape_of(const Mesh& mesh)
+{
+  Shape shape;
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  shape.components = Polygon_mesh_processing::connected_components(
+    mesh, boost::make_iterator_property_map(component.begin(), CGAL::get(boost::face_index, mesh)));
+  std::vector<char> seen(mesh.number_of_halfedges(), 0);
+  for(Halfedge start : mesh.halfedges())
+  {
+    if(!mesh.is_border(start) || seen[start])
+      continue;
+    ++shape.boundary_loops;
+    for(Halfedge h = start; !seen[h]; h = mesh.next(h))
+      seen[h] = 1;
+  }
+  shape.euler_characteristic = euler_characteristic(mesh);
+  return shape;
+}
+
+inline std::size_t number_of_self_intersections(const Mesh& mesh)
+{
+  std::vector<std::pair<Face, Face>> pairs;
+  Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+inline std::string short_number(double x)
+{
+  std::ostringstream out;
+  out.precision(3);
+  out << x;
+  return out.str();
+}
+
+class Surface_comparison
+{
+public:
+  Surface_comparison(const Mesh& input, const Mesh& output)
+    : m_input(input), m_output(output), m_input_shape(shape_of(input)), m_output_shape(shape_of(output))
+  {
+    const Bbox_3 box = Polygon_mesh_processing::bbox(input);
+    m_diagonal = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+    // A face without area adds nothing to the surface, and has no plane to project on.
+    std::vector<Face> solid;
+    for(Face f : input.faces())
+      if(!is_degenerate(input, f))
+        solid.push_back(f);
+    m_input_faces.rebuild(solid.begin(), solid.end(), input);
+  }
+
+  const Shape& input_shape() const { return m_input_shape; }
+  const Shape& output_shape() const { return m_output_shape; }
+
+  double distance_of_vertices() const
+  {
+    double largest = 0.;
+    for(Vertex v : m_output.vertices())
+      if(!m_input_faces.empty())
+        largest = (std::max)(largest, m_input_faces.squared_distance(m_output.point(v)));
+    return relative(std::sqrt(largest));
+  }
+
+  std::size_t number_of_degenerate_faces() const
+  {
+    const auto all = m_output.faces();
+    return std::count_if(all.begin(), all.end(), [&](Face f) { return is_degenerate(m_output, f); });
+  }
+
+  // Against the input where the centre is nearest and at each corner: where two sheets are close together the nearest
+  // may be the other one for some of them.
+  std::size_t number_of_flipped_faces() const
+  {
+    std::size_t number = 0;
+    for(Face f : m_output.faces())
+    {
+      const auto v = vertices_of(m_output, f);
+      const Vector normal = normal_of(m_output, f);
+      bool is_flipped = is_against(normal, CGAL::centroid(m_output.point(v[0]), m_output.point(v[1]), m_output.point(v[2])));
+      for(Vertex w : v)
+        is_flipped = is_flipped && is_against(normal, m_output.point(w));
+      number += is_flipped;
+    }
+    return number;
+  }
+
+  // Of points on the marked and on the boundary edges of the input from the edges of the output
+  double distance_of_lines(const std::vector<char>& is_marked) const
+  {
+    using Primitive = AABB_halfedge_graph_segment_primitive<Mesh>;
+    constexpr int pieces = 4;
+    AABB_tree<AABB_traits_3<Kernel, Primitive>> tree;
+    double largest = 0.;
+    for(Edge e : m_input.edges())
+    {
+      if(!m_input.is_border(e) && !is_marked[e.idx()])
+        continue;
+      if(tree.empty())
+        tree.rebuild(m_output.edges().begin(), m_output.edges().end(), m_output);
+      const Point &p = m_input.point(m_input.vertex(e, 0)), &q = m_input.point(m_input.vertex(e, 1));
+      for(int i = 0; i <= pieces; ++i)
+        largest = (std::max)(largest, tree.squared_distance(p + (i / double(pieces)) * (q - p)));
+    }
+    return relative(std::sqrt(largest));
+  }
+
+private:
+  using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
+
+  static bool is_degenerate(const Mesh& mesh, Face f)
+  {
+    const auto v = vertices_of(mesh, f);
+    return CGAL::collinear(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
+  }
+
+  static Vector normal_of(const Mesh& mesh, Face f)
+  {
+    const auto v = vertices_of(mesh, f);
+    return cross_product(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0]));
+  }
+
+  bool is_against(const Vector& normal, const Point& p) const
+  {
+    return !m_input_faces.empty() && normal * normal_of(m_input, m_input_faces.closest_point_and_primitive(p).second) < 0.;
+  }
+
+  double relative(double distance) const { return m_diagonal > 0. ? distance / m_diagonal : distance; }
+
+  const Mesh& m_input;
+  const Mesh& m_output;
+  const Shape m_input_shape, m_output_shape;
+  double m_diagonal;
+  AABB_tree<AABB_traits_3<Kernel, Primitive>> m_input_faces;
+};
+
+// The marks of the user's edges, by edge of the internal mesh, which has its edges in the same order
+template <class TriangleMesh, class NamedParameters>
+std::vector<char> constrained_edges_of(const TriangleMesh& tmesh, const Mesh& mesh, const NamedParameters& np)
+{
+  std::vector<char> result(mesh.number_of_edges(), 0);
+  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
+  {
+    const auto& map = CGAL::parameters::get_parameter_reference(np, internal_np::edge_is_constrained);
+    std::size_t i = 0;
+    for(auto e : edges(tmesh))
+      result[i++] = get(map, e);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_COMPARE_SURFACES_H
