@@ -71,12 +71,16 @@ GR::Summary remesh(command_line::Input& input, const Options& options, Mesh& out
   const auto np = GR::parameters::use_segmentation(options.use_segmentation)
                       .number_of_iterations(options.iterations)
                       .visitor(std::ref(progress));
+  const auto remesh_with = [&](const auto& parameters) {
+    if(options.feature_angle > 0.)
+      return remesh_and_keep_stages(input.mesh, options, output, stages, parameters.features_angle_bound(options.feature_angle));
+    return remesh_and_keep_stages(input.mesh, options, output, stages, parameters);
+  };
   const auto remesh_by = [&](const auto& field) {
-    return remesh_and_keep_stages(input.mesh, options, output, stages,
-                                  np.sizing_field(std::cref(field))
-                                      .gradation(options.limits.gradation)
-                                      .minimum_length(options.limits.minimum_length)
-                                      .maximum_length(options.limits.maximum_length));
+    return remesh_with(np.sizing_field(std::cref(field))
+                           .gradation(options.limits.gradation)
+                           .minimum_length(options.limits.minimum_length)
+                           .maximum_length(options.limits.maximum_length));
   };
   if(options.contrast)
     return remesh_by(GR::Curvature_sizing_field<Mesh>(input.mesh, GR::parameters::contrast(*options.contrast)
@@ -84,7 +88,7 @@ GR::Summary remesh(command_line::Input& input, const Options& options, Mesh& out
                                                                       .mean_weight(options.mean_weight)));
   if(!options.sizing.empty())
     return remesh_by(sizing);
-  return remesh_and_keep_stages(input.mesh, options, output, stages, np);
+  return remesh_with(np);
 }
 
 GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Options& options)
@@ -97,8 +101,11 @@ GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Option
 void run(const Options& options)
 {
   const auto write_output = command_line::mesh_writer(options.output);
-  command_line::Input input = command_line::read_mesh(options.input);
+  command_line::Input input = command_line::read_mesh(options.input, options.do_repair);
   command_line::Output_files files;
+  if(!options.quiet)
+    for(const std::string& repair : input.repairs)
+      std::cout << "repaired the input: " << repair << "\n";
   files.announce(options.output);
   for(const std::string& name : {options.report, options.regions, options.curves})
     if(!name.empty())

@@ -328,7 +328,7 @@ TEST_F(Command_line, wrong_usage)
 TEST_F(Command_line, option_that_does_not_exist_yet_is_refused)
 {
   const std::string usual = mesh("eight") + " " + output() + " --vertices 100 ";
-  for(const char* option : {"--feature-angle 60", "--fit", "--threads 2"})
+  for(const char* option : {"--fit", "--threads 2"})
     expect_failure(usual + option, 1, "unrecognised option");
 }
 
@@ -428,8 +428,24 @@ TEST_F(Command_line, input_that_is_not_triangulated)
 
 TEST_F(Command_line, input_with_a_boundary)
 {
-  expect_bad_input(file("open.off", std::string("OFF\n4 3 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n"),
-                   "boundary");
+  const std::string open = file("open.off", std::string("OFF\n4 3 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n");
+  EXPECT_EQ(run(open + " " + output() + " --vertices 200 --check --report " + output("r.json")).status, 0);
+  const auto report = nlohmann::json::parse(contents(output("r.json")));
+  EXPECT_EQ(report["input"]["boundary_loops"], 1);
+  EXPECT_EQ(report["output"]["boundary_loops"], 1);
+  EXPECT_EQ(report["check"]["valid"], true);
+}
+
+TEST_F(Command_line, features_are_kept)
+{
+  const std::string cube = mesh("cube");
+  EXPECT_EQ(run(cube + " " + output() + " --vertices 500 --feature-angle 60 --check --report " + output("r.json")).status, 0);
+  const auto report = nlohmann::json::parse(contents(output("r.json")));
+  EXPECT_EQ(report["output"]["vertices"], 500);
+  EXPECT_LT(report["output"]["hausdorff_percent"], 1e-6); // with all edges kept the surface is the same
+  const std::string usual = cube + " " + output("other.off") + " --vertices 500 ";
+  for(const char* wrong : {"--feature-angle 0", "--feature-angle 180", "--feature-angle nan", "--feature-angle sharp"})
+    EXPECT_EQ(run(usual + wrong).status, 1) << wrong;
 }
 
 TEST_F(Command_line, input_with_a_coordinate_that_is_not_finite)
@@ -444,24 +460,57 @@ TEST_F(Command_line, input_with_a_coordinate_that_is_not_finite)
                    "nan.off");
 }
 
-TEST_F(Command_line, input_that_is_not_manifold)
+// Refused as it is, or repaired, which is told
+TEST_F(Command_line, input_that_is_no_mesh_is_repaired_or_refused)
 {
-  expect_bad_input(file("fin.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n"
-                                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n"),
-                   "edge (0, 1) has 3 faces");
+  const auto expect_repair = [&](const std::string& input, const std::string& fault, const std::string& repair) {
+    expect_failure(input + " " + output() + " --vertices 100 --no-repair", 2, fault);
+    const Outcome outcome = run(input + " " + output() + " --vertices 100 --check");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("repaired the input: " + repair), std::string::npos) << outcome.out;
+    EXPECT_EQ(vertices_and_faces_of_off(output())[0], 100u);
+    EXPECT_EQ(run(input + " " + output() + " --vertices 100 --quiet").out, "");
+    fs::remove(output());
+  };
   // two tetrahedra that share the vertex 0 only
-  expect_bad_input(file("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
-                                      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n"),
-                   "vertex 0");
-  expect_bad_input(
+  expect_repair(file("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
+                                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n"),
+                "vertex 0", "duplicated 1 vertices");
+  expect_repair(file("fin.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n"
+                                "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n"),
+                "edge (0, 1) has 3 faces", "duplicated");
+  expect_repair(
       file("turned.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-      "not oriented");
-  expect_bad_input(
-      file("twice.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 1\n3 1 2 3\n3 2 0 3\n"),
-      "twice.off");
-  expect_bad_input(
-      file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n"),
-      "index.off");
+      "not oriented", "turned");
+  expect_repair(file("degenerate.off", std::string("OFF\n4 5 0\n") + tetrahedron_points +
+                                           "3 0 2 1\n3 0 1 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+                "uses a vertex twice", "dropped 1 faces with a vertex twice");
+  expect_repair(file("twice.off", std::string("OFF\n4 5 0\n") + tetrahedron_points +
+                                      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 2 0 3\n"),
+                "faces", "dropped 1 duplicate faces");
+  const std::string index = file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n");
+  expect_bad_input(index, "index.off");
+}
+
+TEST_F(Command_line, faces_with_points_of_their_own_are_joined)
+{
+  const std::string soup = file("soup.off", "OFF\n12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n"
+                                            "0 1 0\n0 0 0\n0 0 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n");
+  const Outcome outcome = run(soup + " " + output() + " --vertices 100 --report " + output("r.json"));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("merged 8 duplicate points"), std::string::npos) << outcome.out;
+  EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["output"]["boundary_loops"], 0);
+  // as they are, four pieces
+  EXPECT_EQ(run(soup + " " + output() + " --vertices 100 --no-repair --report " + output("r.json")).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["output"]["boundary_loops"], 4);
+}
+
+TEST_F(Command_line, one_sided_surface_is_refused)
+{
+  // a strip of five triangles with half a turn
+  expect_bad_input(file("moebius.off", "OFF\n5 5 0\n1 0 0\n0 1 1\n-1 0 0\n0 -1 1\n1 1 2\n"
+                                       "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n"),
+                   "one side only");
 }
 
 TEST_F(Command_line, fewer_vertices_than_the_topology_needs)

@@ -40,6 +40,8 @@ struct Options
   std::optional<double> edge_length;
   unsigned int iterations = 3;
   bool use_segmentation = true;
+  double feature_angle = 0.; // degrees; zero: features are not sought
+  bool do_repair = true;
   bool check = false;
   bool quiet = false;
   std::optional<double> contrast; // a sizing by curvature
@@ -72,6 +74,8 @@ inline po::options_description visible_options()
     ("gradation", po::value<double>()->value_name("G"), "largest growth of the edges along the surface (0.12)")
     ("min-length", po::value<double>()->value_name("L"), "no edges aim at less than L")
     ("max-length", po::value<double>()->value_name("L"), "no edges aim at more than L")
+    ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners")
+    ("no-repair", po::bool_switch(), "refuse an INPUT that is no mesh as it is")
     ("no-segmentation", po::bool_switch(), "one region: curves around the root all over the surface")
     ("iterations", po::value<long long>()->value_name("K"), "rounds of improvement (3)")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
@@ -141,8 +145,8 @@ inline void read_number(const po::variables_map& values, const std::string& name
     return;
   const double value = values[name].as<double>();
   if(!std::isfinite(value) || value < low || value > high || (!with_ends && !(value > low && value < high)))
-    throw Usage_error("--" + name + (high < std::numeric_limits<double>::infinity() ? " must be between 0 and 2"
-                                     : with_ends ? " must not be negative" : " must be a positive number"));
+    throw Usage_error("--" + name + (high < std::numeric_limits<double>::infinity() ? " must be between 0 and " + std::to_string(static_cast<int>(high))
+                                     : std::string(with_ends ? " must not be negative" : " must be a positive number")));
   result = value;
 }
 
@@ -192,7 +196,7 @@ inline void read_target(const po::variables_map& values, Options& options)
 inline void print_help(std::ostream& out)
 {
   out << "Usage: geodesic_remesh INPUT OUTPUT (--vertices N | --faces N | --edge-length L) [options]\n\n"
-         "Remeshes the closed triangle mesh INPUT and writes the result to OUTPUT. The ending of a file name\n"
+         "Remeshes the triangle mesh INPUT and writes the result to OUTPUT. The ending of a file name\n"
          "tells its format: .off, .obj, .ply, .stl, .ts.\n\n"
       << internal::visible_options()
       << "\nExit status: 0 done, 1 wrong usage, 2 INPUT unreadable or unusable, 3 could not remesh or write.\n";
@@ -222,6 +226,8 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   if(const auto iterations = internal::count(values, "iterations", 0))
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
   options.use_segmentation = !values["no-segmentation"].as<bool>();
+  internal::read_number(values, "feature-angle", 0., 180., false, options.feature_angle);
+  options.do_repair = !values["no-repair"].as<bool>();
   options.check = values["check"].as<bool>();
   options.quiet = values["quiet"].as<bool>();
   options.report = internal::file_name(values, "report");

@@ -100,7 +100,10 @@ inline Mesh::Property_map<Mesh::Vertex_index, double> read_sizing(const std::str
     if(numbers.size() != number_of_vertices)
       throw Input_error("has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(number_of_vertices) +
                         " vertices");
-    const auto index = mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value();
+    const auto index_map = mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file);
+    if(!index_map)
+      throw Input_error("does not fit: the mesh had to be repaired, and its vertices are no longer those of its file");
+    const auto index = *index_map;
     auto sizing = mesh.add_property_map<Mesh::Vertex_index, double>("v:sizing").first;
     for(const auto v : mesh.vertices())
     {
