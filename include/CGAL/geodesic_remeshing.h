@@ -23,6 +23,7 @@
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/write_output.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
@@ -206,7 +207,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   check_count(remeshed.mesh, n);
 
   clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
-  write_output(remeshed.mesh, out, np_out);
+  write_output(input, remeshed, np_in, out, np_out);
   clock.stop();
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
   summary.number_of_faces = remeshed.mesh.number_of_faces();
@@ -234,7 +235,7 @@ template <class TriangleMesh, class Target, class NamedParameters = parameters::
 Geodesic_remeshing::Summary geodesic_remeshing(TriangleMesh& tmesh, const Target& target,
                                                const NamedParameters& np = parameters::default_values())
 {
-  return geodesic_remeshing(tmesh, target, tmesh, np, Geodesic_remeshing::internal::points_only(np));
+  return geodesic_remeshing(tmesh, target, tmesh, np, Geodesic_remeshing::internal::of_output_in_place(np));
 }
 
 } // namespace CGAL

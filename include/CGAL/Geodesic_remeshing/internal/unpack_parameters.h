@@ -15,9 +15,6 @@
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cmath>
@@ -198,18 +195,6 @@ inline void check_count(const Mesh& mesh, std::size_t number_of_vertices)
                           + ": the topology of the input needs more at its narrowest places");
 }
 
-template <class OutputMesh, class NamedParameters>
-void write_output(const Mesh& mesh, OutputMesh& out, const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  remove_all_elements(out); // clear() would take the caller's property maps with it
-  copy_face_graph(mesh, out, CGAL::parameters::default_values(),
-                  CGAL::parameters::vertex_point_map(choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                                      get_property_map(vertex_point, out))));
-}
-
-// What the in-place form hands on as the parameters of its output
 template <class NamedParameters>
 auto points_only(const NamedParameters& np)
 {
@@ -217,6 +202,25 @@ auto points_only(const NamedParameters& np)
     return CGAL::parameters::default_values();
   else
     return CGAL::parameters::vertex_point_map(CGAL::parameters::get_parameter(np, internal_np::vertex_point));
+}
+
+// Of the parameters of the input those that hold for the output too, when it takes the input's place
+template <class NamedParameters>
+auto of_output_in_place(const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  const auto points = points_only(np);
+  const auto with_edges = [&]
+  {
+    if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
+      return points.edge_is_constrained_map(get_parameter(np, internal_np::edge_is_constrained));
+    else
+      return points;
+  }();
+  if constexpr(is_given<NamedParameters, internal_np::face_patch_t>)
+    return with_edges.face_patch_map(get_parameter(np, internal_np::face_patch));
+  else
+    return with_edges;
 }
 
 } // namespace internal
