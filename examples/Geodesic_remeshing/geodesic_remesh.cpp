@@ -17,6 +17,7 @@
 #include "command_line/report.h"
 #include "command_line/sizing.h"
 #include "command_line/stage_files.h"
+#include "command_line/transfer.h"
 
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
@@ -38,57 +39,79 @@ namespace GR = CGAL::Geodesic_remeshing;
 using command_line::Mesh;
 using command_line::Options;
 using command_line::Report;
+using command_line::Transfer;
 
 enum Exit_status { done = 0, wrong_usage = 1, bad_input = 2, cannot_remesh = 3 };
 
 const std::string version = "geodesic_remesh " GEODESIC_REMESHING_VERSION " (CGAL " CGAL_VERSION_STR ")";
 
-template <class NamedParameters>
-GR::Summary remesh_to_target(const Mesh& input, const Options& options, Mesh& output, const NamedParameters& np)
+// One remeshing: the parameters are put together one by one, each only if it is asked for
+struct Job
 {
-  if(options.vertices)
-    return CGAL::geodesic_remeshing(input, *options.vertices, output, np);
-  if(options.faces)
-    return CGAL::geodesic_remeshing(input, GR::Number_of_faces{*options.faces}, output, np);
-  return CGAL::geodesic_remeshing(input, GR::Edge_length{*options.edge_length}, output, np);
+  const Mesh& input;
+  const Options& options;
+  const Transfer& transfer;
+  Mesh& output;
+  GR::Stage_results& stages;
+
+  template <class NamedParameters>
+  GR::Summary remesh_to_target(const NamedParameters& np) const
+  {
+    const auto np_out = GR::parameters::vertex_location_map(transfer.locations());
+    if(options.vertices)
+      return CGAL::geodesic_remeshing(input, *options.vertices, output, np, np_out);
+    if(options.faces)
+      return CGAL::geodesic_remeshing(input, GR::Number_of_faces{*options.faces}, output, np, np_out);
+    return CGAL::geodesic_remeshing(input, GR::Edge_length{*options.edge_length}, output, np, np_out);
+  }
+
+  template <class NamedParameters>
+  GR::Summary remesh_and_keep_stages(const NamedParameters& np) const
+  {
+    if(options.regions.empty() && options.curves.empty())
+      return remesh_to_target(np);
+    return remesh_to_target(np.stage_results(std::ref(stages)));
+  }
+
+  template <class NamedParameters>
+  GR::Summary remesh_with_features(const NamedParameters& np) const
+  {
+    if(options.feature_angle > 0.)
+      return remesh_and_keep_stages(np.features_angle_bound(options.feature_angle));
+    return remesh_and_keep_stages(np);
+  }
+};
+
+using Sizing = Mesh::Property_map<Mesh::Vertex_index, double>;
+
+Sizing sizing_by_curvature(Mesh& mesh, const Options& options)
+{
+  const GR::Curvature_sizing_field<Mesh> field(mesh, GR::parameters::contrast(*options.contrast)
+                                                         .gaussian_weight(options.gaussian_weight)
+                                                         .mean_weight(options.mean_weight));
+  Sizing sizing = mesh.add_property_map<Mesh::Vertex_index, double>("v:sizing").first;
+  for(const auto v : mesh.vertices())
+    sizing[v] = field.at(v);
+  return sizing;
 }
 
-template <class NamedParameters>
-GR::Summary remesh_and_keep_stages(const Mesh& input, const Options& options, Mesh& output, GR::Stage_results& stages,
-                                   const NamedParameters& np)
+GR::Summary remesh(command_line::Input& input, const Options& options, const Transfer& transfer, Mesh& output,
+                   GR::Stage_results& stages)
 {
-  if(options.regions.empty() && options.curves.empty())
-    return remesh_to_target(input, options, output, np);
-  return remesh_to_target(input, options, output, np.stage_results(std::ref(stages)));
-}
-
-GR::Summary remesh(command_line::Input& input, const Options& options, Mesh& output, GR::Stage_results& stages)
-{
-  const auto sizing = options.sizing.empty()
-                          ? Mesh::Property_map<Mesh::Vertex_index, double>()
-                          : command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file);
   command_line::Progress progress(options.quiet);
   const auto np = GR::parameters::use_segmentation(options.use_segmentation)
                       .number_of_iterations(options.iterations)
+                      .edge_is_constrained_map(transfer.seams())
                       .visitor(std::ref(progress));
-  const auto remesh_with = [&](const auto& parameters) {
-    if(options.feature_angle > 0.)
-      return remesh_and_keep_stages(input.mesh, options, output, stages, parameters.features_angle_bound(options.feature_angle));
-    return remesh_and_keep_stages(input.mesh, options, output, stages, parameters);
-  };
-  const auto remesh_by = [&](const auto& field) {
-    return remesh_with(np.sizing_field(std::cref(field))
-                           .gradation(options.limits.gradation)
-                           .minimum_length(options.limits.minimum_length)
-                           .maximum_length(options.limits.maximum_length));
-  };
-  if(options.contrast)
-    return remesh_by(GR::Curvature_sizing_field<Mesh>(input.mesh, GR::parameters::contrast(*options.contrast)
-                                                                      .gaussian_weight(options.gaussian_weight)
-                                                                      .mean_weight(options.mean_weight)));
-  if(!options.sizing.empty())
-    return remesh_by(sizing);
-  return remesh_with(np);
+  const Job job{input.mesh, options, transfer, output, stages};
+  if(!options.contrast && options.sizing.empty())
+    return job.remesh_with_features(np);
+  const Sizing sizing = options.contrast ? sizing_by_curvature(input.mesh, options)
+                                         : command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file);
+  return job.remesh_with_features(np.sizing_field(sizing)
+                                      .gradation(options.limits.gradation)
+                                      .minimum_length(options.limits.minimum_length)
+                                      .maximum_length(options.limits.maximum_length));
 }
 
 GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Options& options)
@@ -101,6 +124,9 @@ GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Option
 void run(const Options& options)
 {
   const auto write_output = command_line::mesh_writer(options.output);
+  if(options.transfer && !(Transfer::is_ply(options.input) && Transfer::is_ply(options.output))
+     && !(Transfer::is_obj(options.input) && Transfer::is_obj(options.output)))
+    throw command_line::Usage_error("--transfer goes from .ply to .ply and from .obj to .obj");
   command_line::Input input = command_line::read_mesh(options.input, options.do_repair);
   command_line::Output_files files;
   if(!options.quiet)
@@ -112,14 +138,18 @@ void run(const Options& options)
       files.announce(name);
 
   Mesh output;
+  Transfer transfer(options.transfer ? options.input : std::string(), input, output);
   GR::Stage_results stages;
   Report report;
   CGAL::Timer timer;
   timer.start();
-  report.summary = remesh(input, options, output, stages);
+  report.summary = remesh(input, options, transfer, output, stages);
   report.seconds = timer.time();
+  transfer.run();
 
-  files.write(options.output, [&](std::ostream& out) { write_output(out, output); });
+  files.write(options.output, [&](std::ostream& out) {
+    transfer.has_texture() ? transfer.write_textured_obj(out) : write_output(out, output);
+  });
   files.write(options.regions, [&](std::ostream& out) { command_line::write_regions(out, stages); });
   files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });
   const bool is_measured = !options.quiet || !options.report.empty();

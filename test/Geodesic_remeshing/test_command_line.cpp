@@ -401,6 +401,73 @@ TEST_F(Command_line, sizing_from_a_file)
   expect_failure(usual + file("broken.ply", "ply\n"), 2, "broken.ply");
 }
 
+// A tetrahedron: as PLY with a number and a colour at each vertex and a label at each face
+TEST_F(Command_line, properties_of_a_ply_arrive)
+{
+  const std::string ply = file("t.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+                                        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float heat\n"
+                                        "element face 4\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n"
+                                        "0 0 0 9 9 9 0.5\n1 0 0 9 9 9 0.5\n0 1 0 9 9 9 0.5\n0 0 1 9 9 9 0.5\n"
+                                        "3 0 2 1 77\n3 0 1 3 77\n3 1 2 3 77\n3 2 0 3 77\n");
+  ASSERT_EQ(run(ply + " " + output("o.ply") + " --vertices 50 --quiet --transfer").status, 0);
+  const std::string text = contents(output("o.ply"));
+  const std::size_t body = text.find("end_header\n") + std::strlen("end_header\n");
+  for(const char* property : {"property float heat", "property uchar red", "property int label"})
+    EXPECT_LT(text.find(property), body) << property;
+  // coordinates, colour, number: every vertex has what all vertices of the input have
+  const std::size_t size = 3 * sizeof(double) + 4 + sizeof(float);
+  for(std::size_t v = 0; v < 50; ++v)
+  {
+    const char* const record = &text[body + v * size + 3 * sizeof(double)];
+    float heat = 0.f;
+    std::memcpy(&heat, record + 4, sizeof(heat));
+    EXPECT_EQ(static_cast<int>(record[0]), 9);
+    EXPECT_EQ(heat, .5f);
+  }
+  fs::remove(output("o.ply"));
+  expect_failure(ply + " " + output() + " --vertices 50 --transfer", 1, "from .ply to .ply");
+}
+
+// The four faces of a tetrahedron beside each other in the texture: every edge is a seam
+TEST_F(Command_line, texture_coordinates_of_an_obj_arrive_with_their_seams)
+{
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  for(int face = 0; face < 4; ++face)
+    for(const char* corner : {" 0\n", ".25 0\n", ".5 1\n"})
+      obj += "vt " + std::to_string(face) + corner;
+  const std::string start = file("t.obj", obj + "f 1/1 3/2 2/3\nf 1/4 2/5 4/6\nf 2/7 3/8 4/9\nf 3/10 1/11 4/12\n");
+  ASSERT_EQ(run(start + " " + output("o.obj") + " --vertices 200 --transfer --check --report " + output("r.json")).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["check"]["valid"], true);
+  std::ifstream in(output("o.obj"));
+  std::vector<double> u;
+  std::size_t faces = 0;
+  for(std::string line; std::getline(in, line);)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    double number = 0.;
+    if(word == "vt" && words >> number)
+      u.push_back(number);
+    if(word != "f")
+      continue;
+    ++faces;
+    std::array<int, 3> part{};
+    for(int& p : part)
+    {
+      words >> word;
+      p = static_cast<int>(u.at(std::stoul(word.substr(word.find('/') + 1)) - 1) + 1e-6);
+    }
+    EXPECT_TRUE(part[0] == part[1] && part[1] == part[2]) << line; // no face reaches over a seam
+  }
+  EXPECT_EQ(faces, 396u);
+  fs::remove(output("o.obj"));
+  fs::remove(output("r.json"));
+  expect_failure(file("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n") + " " +
+                     output("o.obj") + " --vertices 50 --transfer",
+                 2, "without texture coordinates");
+}
+
 TEST_F(Command_line, unreadable_input)
 {
   expect_bad_input((folder / "missing.off").string(), "cannot be opened");

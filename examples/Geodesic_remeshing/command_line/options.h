@@ -42,6 +42,7 @@ struct Options
   bool use_segmentation = true;
   double feature_angle = 0.; // degrees; zero: features are not sought
   bool do_repair = true;
+  bool transfer = false;
   bool check = false;
   bool quiet = false;
   std::optional<double> contrast; // a sizing by curvature
@@ -81,6 +82,8 @@ inline po::options_description visible_options()
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
     ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")
     ("curves", po::value<std::string>()->value_name("FILE.obj"), "write the equidistant curves")
+    ("transfer", po::bool_switch(), "carry over what INPUT has beside its mesh: properties of vertices and faces from PLY to\n"
+     "PLY, texture coordinates, their seams kept, from OBJ to OBJ")
     ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
     ("quiet", po::bool_switch(), "no progress, no table")
     ("help", po::bool_switch(), "print this and end")
@@ -228,6 +231,7 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   options.use_segmentation = !values["no-segmentation"].as<bool>();
   internal::read_number(values, "feature-angle", 0., 180., false, options.feature_angle);
   options.do_repair = !values["no-repair"].as<bool>();
+  options.transfer = values["transfer"].as<bool>();
   options.check = values["check"].as<bool>();
   options.quiet = values["quiet"].as<bool>();
   options.report = internal::file_name(values, "report");

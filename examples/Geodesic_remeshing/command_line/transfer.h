@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_TRANSFER_H
+#define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_TRANSFER_H
+
+#include "input.h"
+#include "textured_obj.h"
+
+#include <CGAL/Geodesic_remeshing/attribute_transfer.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace command_line {
+
+using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
+
+// What the file of the input has beside points and faces, carried over to the output (--transfer): from PLY to PLY all scalar
+// properties, colours and normals of vertices and faces; from OBJ to OBJ the texture coordinates, their seams being constrained edges.
+class Transfer
+{
+public:
+  // Nothing is carried over if there is no file.
+  Transfer(const std::string& file_name, Input& input, Mesh& output)
+    : m_input(input.mesh), m_output(output),
+      m_seams(input.mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first),
+      m_locations(output.add_property_map<Mesh::Vertex_index, Location>("v:location").first)
+  {
+    if(file_name.empty())
+      return;
+    if(!input.repairs.empty())
+      throw Input_error(file_name + " had to be repaired: its properties do not belong to the mesh any more");
+    if(is_obj(file_name))
+      m_uv = read_texture(file_name, m_input, m_seams);
+    else
+      read_ply(file_name, input.vertices_in_file);
+  }
+
+  static bool is_obj(const std::string& name) { return name.size() > 4 && name.substr(name.size() - 4) == ".obj"; }
+  static bool is_ply(const std::string& name) { return name.size() > 4 && name.substr(name.size() - 4) == ".ply"; }
+
+  const Mesh::Property_map<Mesh::Edge_index, bool>& seams() const { return m_seams; }
+  const Mesh::Property_map<Mesh::Vertex_index, Location>& locations() const { return m_locations; }
+
+  // After remeshing. What it adds to the output is written with it as PLY.
+  void run()
+  {
+    for(const auto& carry : m_vertex_properties)
+      carry();
+    for(const auto& carry : m_face_properties)
+      carry();
+    if(!m_uv)
+      return;
+    m_output_uv = m_output.add_property_map<Mesh::Halfedge_index, Texture_coordinates>("h:uv").first;
+    CGAL::Geodesic_remeshing::transfer_corner_property(m_input, *m_uv, m_output, m_locations, *m_output_uv);
+  }
+
+  bool has_texture() const { return m_uv.has_value(); }
+  void write_textured_obj(std::ostream& out) const { command_line::write_textured_obj(out, m_output, *m_output_uv); }
+
+private:
+  void read_ply(const std::string& file_name, std::size_t vertices_in_file)
+  {
+    std::ifstream in(file_name, std::ios::binary);
+    bool read = false;
+    try
+    {
+      const internal::Silent_errors silence;
+      read = CGAL::IO::read_PLY(in, m_file);
+    }
+    catch(const std::exception&)
+    {
+      // as for any other damaged file
+    }
+    if(!read || m_file.number_of_vertices() != vertices_in_file || m_file.number_of_faces() != m_input.number_of_faces())
+      throw Input_error(file_name + " has properties that cannot be read");
+    for(const std::string& name : m_file.properties<Mesh::Vertex_index>())
+      add_vertex_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
+                          CGAL::IO::Color, mesh_quality::Kernel::Vector_3>(name);
+    for(const std::string& name : m_file.properties<Mesh::Face_index>())
+      add_face_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
+                        CGAL::IO::Color>(name);
+  }
+
+  // With the one of these types that the property has
+  template <class... Values>
+  void add_vertex_property(const std::string& name)
+  {
+    (add_one_vertex_property<Values>(name), ...);
+  }
+  template <class... Values>
+  void add_face_property(const std::string& name)
+  {
+    (add_one_face_property<Values>(name), ...);
+  }
+
+  template <class Value>
+  void add_one_vertex_property(const std::string& name)
+  {
+    const auto in_file = m_file.property_map<Mesh::Vertex_index, Value>(name);
+    if(!in_file || name == "v:removed")
+      return;
+    auto values = m_input.add_property_map<Mesh::Vertex_index, Value>("v:carried:" + name).first;
+    const auto index = m_input.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value();
+    for(const auto v : m_input.vertices())
+      values[v] = (*in_file)[Mesh::Vertex_index(static_cast<Mesh::size_type>(index[v]))];
+    m_vertex_properties.push_back([this, name, values] {
+      CGAL::Geodesic_remeshing::transfer_vertex_property(m_input, values, m_output, m_locations,
+                                                         m_output.add_property_map<Mesh::Vertex_index, Value>(name).first);
+    });
+  }
+
+  template <class Value>
+  void add_one_face_property(const std::string& name)
+  {
+    const auto in_file = m_file.property_map<Mesh::Face_index, Value>(name);
+    if(!in_file || name == "f:removed")
+      return;
+    auto values = m_input.add_property_map<Mesh::Face_index, Value>("f:carried:" + name).first;
+    for(const auto f : m_input.faces()) // in the order of the file
+      values[f] = (*in_file)[f];
+    m_face_properties.push_back([this, name, values] {
+      CGAL::Geodesic_remeshing::transfer_face_property(m_input, values, m_output, m_locations,
+                                                       m_output.add_property_map<Mesh::Face_index, Value>(name).first);
+    });
+  }
+
+  Mesh& m_input;
+  Mesh& m_output;
+  Mesh m_file;
+  Mesh::Property_map<Mesh::Edge_index, bool> m_seams;
+  Mesh::Property_map<Mesh::Vertex_index, Location> m_locations;
+  std::vector<std::function<void()>> m_vertex_properties, m_face_properties;
+  std::optional<Texture_map> m_uv, m_output_uv;
+};
+
+} // namespace command_line
+
+#endif // CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_TRANSFER_H
