@@ -13,6 +13,7 @@
 #include "mesh_quality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <ostream>
@@ -22,12 +23,37 @@
 
 namespace benchmark {
 
+// How evenly the lengths change: at each vertex the mean length of its edges; over all edges, that of the end with the longer ones
+// divided by that of the other end.
+struct Growth
+{
+  double median = 1.;
+  double almost_largest = 1.; // 99.9 % are no larger
+};
+
+inline Growth measure_growth(const mesh_quality::Mesh& mesh)
+{
+  std::vector<double> length(mesh.num_vertices(), 0.);
+  for(const auto v : mesh.vertices())
+    for(const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      length[v] += std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(mesh.source(h)))) / mesh.degree(v);
+  std::vector<double> ratios;
+  for(const auto e : mesh.edges())
+  {
+    const auto [shorter, longer] = std::minmax(length[mesh.vertex(e, 0)], length[mesh.vertex(e, 1)]);
+    ratios.push_back(longer / shorter);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  return {ratios[ratios.size() / 2], ratios[ratios.size() * 999 / 1000]};
+}
+
 struct Result
 {
   std::string model;
   std::string method;
   mesh_quality::Quality quality;
   mesh_quality::Distance distance;
+  Growth growth;
   double seconds; // user CPU
 
   double kilovertices_per_second() const { return static_cast<double>(quality.vertices) / 1000. / seconds; }

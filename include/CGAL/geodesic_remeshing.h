@@ -35,7 +35,7 @@ namespace CGAL {
  * \ingroup PkgGeodesicRemeshingRef
  *
  * \brief remeshes a closed triangulated surface by geodesic distances on it: the output has the same topology, exactly the
- * number of vertices asked for, and well-shaped triangles of even size; all its vertices lie on the input surface.
+ * number of vertices asked for, and well-shaped triangles of even size or of the sizes wished; all its vertices lie on the input surface.
  *
  * The algorithm is that of Sifri, Sheffer and Gotsman \cgalCite{cgal:ssg-gbsr-03}: distances from a root vertex
  * are computed by fast marching (section 3 of the paper), the surface is segmented into regions in which fronts advance without
@@ -71,6 +71,32 @@ namespace CGAL {
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
  *                    as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sizing_field}
+ *     \cgalParamDescription{how long edges are to be at each vertex of `tmesh` (section 4 of the paper). When `target` is a number, only the
+ *                           ratios of these lengths matter: all are multiplied by the factor that gives the number. With
+ *                           `Edge_length{l}` edges are to be `l` times as long as the field tells; `Edge_length{1}` takes it as it is.}
+ *     \cgalParamType{a class model of `GeodesicRemeshingSizingField`, such as `Geodesic_remeshing::Curvature_sizing_field`; or of
+ *                    `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number as
+ *                    value type; or of `PMPSizingField`, such as `Polygon_mesh_processing::Adaptive_sizing_field`}
+ *     \cgalParamDefault{all edges are to be equally long}
+ *     \cgalParamExtra{The field is copied; pass it by `std::cref()` if that is costly. It is asked once for each vertex that has a face.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{gradation}
+ *     \cgalParamDescription{the largest growth of the length along the surface, positive: see `Geodesic_remeshing::Sizing_limits`}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{that of the field, if it has limits of its own, else that of `Geodesic_remeshing::Sizing_limits`}
+ *     \cgalParamExtra{This and the two lengths below are limits on a sizing: without `sizing_field` the call does not compile.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{minimum_length}
+ *     \cgalParamDescription{the smallest length that edges aim at, in the unit of the coordinates}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{that of the field, else `0`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_length}
+ *     \cgalParamDescription{the largest length that edges aim at, in the unit of the coordinates}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{that of the field, else infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{use_segmentation}
  *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from the root alone}
@@ -115,13 +141,16 @@ namespace CGAL {
  * @return what was made, and in what time
  *
  * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a boundary or a coordinate that is not
- *         finite, or if the target is not positive; the message says which vertex or face
- * @throws Geodesic_remeshing::Remeshing_error if the topology of the input needs more vertices, or if the visitor stops the work
+ *         finite, if the target is not positive, if the sizing field gives a vertex a length that is not positive and finite, or if
+ *         `gradation` is not positive or `minimum_length` above `maximum_length`; the message says which vertex or face
+ * @throws Geodesic_remeshing::Remeshing_error if the topology of the input needs more vertices, if `minimum_length` and `maximum_length`
+ *         exclude the number asked for (the message says which numbers they allow), or if the visitor stops the work
  *
  * In both cases `out` is left as it was.
  *
  * \cgalBigO{(n + m) log (n + m)} for an input of `n` and an output of `m` vertices.
  *
+ * @sa `CGAL::Geodesic_remeshing::Curvature_sizing_field`
  * @sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
  */
 template <class TriangleMesh, class Target, class OutputMesh,

@@ -523,8 +523,8 @@ TEST_P(Sized_model, is_nearer_to_the_surface_at_the_same_number)
   }
 }
 
-// Three quarters are wanted. The surface of armadillo has more detail below the length of the edges than its curvature tells apart, dino's
-// is as good as even already: they miss it by what is said here.
+// Three quarters are wanted. On armadillo the curvature is so even that no sizing could reach less than .83 (see internal/curvature.h), and
+// dino misses it by a little.
 INSTANTIATE_TEST_SUITE_P(, Sized_model,
                          testing::Values(Model{"homer", .75}, Model{"bear", .75}, Model{"dino", .8}, Model{"camel", .75},
                                          Model{"elephant", .75}, Model{"armadillo", .88}, Model{"fandisk", .75}),

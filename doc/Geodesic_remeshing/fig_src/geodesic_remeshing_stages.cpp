@@ -1,10 +1,11 @@
 // Writes what the stages of CGAL::geodesic_remeshing() make of a mesh as VTK files, for the figures of the manual:
 //
-//   geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no
+//   geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST
 //
-// The last argument tells whether to segment. The files in FOLDER are input, distances, regions, curves, samples, strips and
+// The fourth argument tells whether to segment, the last one how much the lengths differ by curvature. The files in FOLDER are input, distances, regions, curves, samples, strips and
 // output, all with the extension vtk.
 
+#include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/geodesic_remeshing.h>
 
@@ -159,15 +160,21 @@ void write_points(const std::string& name, const std::vector<Point>& points)
 }
 
 void write_stages(const std::string& file_name, int number_of_vertices, const std::string& folder,
-                  bool use_segmentation)
+                  bool use_segmentation, double contrast)
 {
   namespace parameters = CGAL::Geodesic_remeshing::parameters;
   Mesh mesh, out;
   if(!CGAL::IO::read_OFF(file_name, mesh))
     throw std::runtime_error("cannot read " + file_name);
   Stage_results results;
-  CGAL::geodesic_remeshing(mesh, number_of_vertices, out,
-                           parameters::use_segmentation(use_segmentation).stage_results(std::ref(results)));
+  const auto options = parameters::use_segmentation(use_segmentation).stage_results(std::ref(results));
+  if(contrast == 0.)
+    CGAL::geodesic_remeshing(mesh, number_of_vertices, out, options);
+  else
+  {
+    const CGAL::Geodesic_remeshing::Curvature_sizing_field<Mesh> sizing(mesh, parameters::contrast(contrast));
+    CGAL::geodesic_remeshing(mesh, number_of_vertices, out, options.sizing_field(sizing));
+  }
   write_mesh(folder + "/input.vtk", mesh);
   write_distances(folder + "/distances.vtk", results.working_surface);
   write_regions(folder + "/regions.vtk", results.regions);
@@ -183,9 +190,9 @@ int main(int argc, char* argv[])
 {
   try
   {
-    if(argc != 5)
-      throw std::invalid_argument("usage: geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no");
-    write_stages(argv[1], std::stoi(argv[2]), argv[3], std::string(argv[4]) == "yes");
+    if(argc != 6)
+      throw std::invalid_argument("usage: geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST");
+    write_stages(argv[1], std::stoi(argv[2]), argv[3], std::string(argv[4]) == "yes", std::stod(argv[5]));
     return EXIT_SUCCESS;
   }
   catch(const std::exception& e)

@@ -3,7 +3,8 @@
   render_figures.py FOLDER_OF_STAGES FOLDER_OF_FIGURES [FIGURE...]
 
 The folder of stages holds a folder for each of the RUNS, the figures are those of FIGURES.
-render_figures.py --runs prints the runs, one a line: model, number of vertices, whether to segment, name of the folder.
+render_figures.py --runs prints the runs, one a line: model, number of vertices, whether to segment, contrast of the sizing, name of the
+folder.
 """
 
 import collections
@@ -14,13 +15,14 @@ import sys
 import tempfile
 
 RUNS = [
-    ("cactus", 1200, "yes", "cactus"),
-    ("cactus", 1200, "no", "cactus_unsegmented"),
-    ("dino", 3000, "yes", "dino"),
-    ("dino", 3000, "no", "dino_unsegmented"),
-    ("dino", 5000, "yes", "dino_5000"),
-    ("eight", 1500, "yes", "eight"),
-    ("elephant", 3000, "yes", "elephant"),
+    ("cactus", 1200, "yes", 0, "cactus"),
+    ("cactus", 1200, "no", 0, "cactus_unsegmented"),
+    ("dino", 3000, "yes", 0, "dino"),
+    ("dino", 3000, "no", 0, "dino_unsegmented"),
+    ("dino", 5000, "yes", 0, "dino_5000"),
+    ("eight", 1500, "yes", 0, "eight"),
+    ("elephant", 3000, "yes", 0, "elephant"),
+    *(("homer", 3000, "yes", contrast, f"homer_contrast_{contrast}") for contrast in (0, .3, .6)),
 ]
 
 # up and direction of view of the camera, and what it looks at: a point of the picture of the whole model (from the left and from
@@ -32,6 +34,8 @@ JUNCTION = View(up=(0, 1, 0), direction=(.2, -.5, -1), focus=(.6, .6), height=.2
 DINO = View(up=(0, 0, 1), direction=(-.74, .62, -.27))
 SHOULDER = View(up=(0, 0, 1), direction=(-.74, .62, -.27), focus=(.5, .59), height=.3)
 EIGHT = View(up=(0, 1, 0), direction=(-.3, -.5, -1))
+HOMER = View(up=(0, 1, 0), direction=(-.35, -.1, -1))
+HEAD = View(up=(0, 1, 0), direction=(-.35, -.1, -1), focus=(.56, .825), height=.37)
 ELEPHANT = View(up=(0, 1, 0), direction=(-.6, -.25, -.8))
 
 STAGES = ["isolines", "regions", "curves", "samples", "strips", "output"]
@@ -46,6 +50,8 @@ FIGURES = {
                                    ("dino", SHOULDER, "curves"), ("dino", SHOULDER, "strips")]]),
     "handles": ((420, 400), [[("eight", EIGHT, "curves"), ("eight", EIGHT, "output"),
                               ("elephant", ELEPHANT, "curves"), ("elephant", ELEPHANT, "output")]]),
+    "contrasts": ((430, 640), [[(f"homer_contrast_{contrast}", HOMER, "output") for contrast in (0, .3, .6)],
+                               [(f"homer_contrast_{contrast}", HEAD, "output") for contrast in (0, .3, .6)]]),
 }
 
 PIXELS = 3  # each pixel of a figure is the mean of so many squared

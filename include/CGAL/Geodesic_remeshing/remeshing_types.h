@@ -44,7 +44,7 @@ struct Number_of_faces
 };
 
 /*!
- * \ingroup PkgGeodesicRemeshingTypesRef
+ * \ingroup PkgGeodesicRemeshingSizingRef
  * The limits of a sizing. They hold for the lengths that the edges aim at; single edges are a little longer or shorter.
  */
 struct Sizing_limits

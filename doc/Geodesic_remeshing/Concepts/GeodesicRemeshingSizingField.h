@@ -1,0 +1,36 @@
+/*!
+\ingroup PkgGeodesicRemeshingConcepts
+\cgalConcept
+
+The concept `GeodesicRemeshingSizingField` describes an object that tells how long the edges of a remeshed surface are to be. It is passed to
+`CGAL::geodesic_remeshing()` by the named parameter `sizing_field`, and asked once for each vertex of the input that has a face.
+
+A vertex property map of lengths or a model of `PMPSizingField`, whose function is `at(v, tmesh)`, may take its place.
+
+\cgalRefines{CopyConstructible}
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Geodesic_remeshing::Curvature_sizing_field}
+\cgalHasModelsEnd
+*/
+class GeodesicRemeshingSizingField
+{
+public:
+  /// vertex descriptor of the mesh to be remeshed
+  typedef unspecified_type vertex_descriptor;
+
+  /// a number type
+  typedef unspecified_type FT;
+
+  /// returns the length of the edges at `v`, positive and finite, up to a factor that is the same for all vertices.
+  FT at(vertex_descriptor v) const;
+
+  /// \name Optional
+  /// @{
+
+  /// returns the limits of the lengths. A class that has no limits of its own need not have this function; named parameters of
+  /// `CGAL::geodesic_remeshing()` come before what it returns.
+  CGAL::Geodesic_remeshing::Sizing_limits limits() const;
+
+  /// @}
+};
