@@ -259,6 +259,64 @@ inline Mesh rounded(Mesh mesh, int times)
   return mesh;
 }
 
+// An L and a stair, extruded: creases that are not convex, corners of three creases
+inline Mesh l_shape(int width = 4)
+{ return blocks({Block{{{0, 0, 0}}, {{3 * width, width, width}}}, Block{{{0, width, 0}}, {{width, 3 * width, width}}}}); }
+
+inline Mesh stairs(int steps, int height = 2)
+{
+  std::vector<Block> boxes;
+  for(int i = 0; i < steps; ++i)
+    boxes.push_back(Block{{{0, i * height, 0}}, {{(steps - i) * 2 * height, (i + 1) * height, 3 * height}}});
+  return blocks(boxes);
+}
+
+// A wheel along z with teeth of straight flanks; its caps are fans around their centres
+inline Mesh gear(unsigned teeth, double inner, double outer, double width)
+{
+  Mesh mesh;
+  const unsigned n = 4 * teeth;
+  for(double z : {0., width})
+    for(unsigned i = 0; i < n; ++i)
+    {
+      const double radius = i % 4 < 2 ? outer : inner;
+      const double u = 2. * CGAL_PI * (i / 4 + (i % 4 == 0 ? .05 : i % 4 == 1 ? .45 : i % 4 == 2 ? .5 : 1.)) / teeth;
+      mesh.add_vertex(Point(radius * std::cos(u), radius * std::sin(u), z));
+    }
+  const Vertex low = mesh.add_vertex(Point(0, 0, 0)), high = mesh.add_vertex(Point(0, 0, width));
+  for(unsigned i = 0; i < n; ++i)
+  {
+    const Vertex a(i), b((i + 1) % n), c(n + (i + 1) % n), d(n + i);
+    mesh.add_face(a, b, c);
+    mesh.add_face(a, c, d);
+    mesh.add_face(low, b, a);
+    mesh.add_face(high, d, c);
+  }
+  return mesh;
+}
+
+// Rings of triangles around the origin in the plane z = 0
+inline Mesh disc(unsigned rings, double radius = 1.)
+{
+  Mesh mesh;
+  const Vertex middle = mesh.add_vertex(Point(0, 0, 0));
+  const unsigned n = 6 * rings;
+  for(unsigned j = 1; j <= rings; ++j)
+    for(unsigned i = 0; i < n; ++i)
+      mesh.add_vertex(Point(radius * j / rings * std::cos(2. * CGAL_PI * i / n), radius * j / rings * std::sin(2. * CGAL_PI * i / n), 0));
+  const auto at = [&](unsigned i, unsigned j) { return Vertex(1 + (j - 1) * n + i % n); };
+  for(unsigned i = 0; i < n; ++i)
+  {
+    mesh.add_face(middle, at(i, 1), at(i + 1, 1));
+    for(unsigned j = 1; j < rings; ++j)
+    {
+      mesh.add_face(at(i, j), at(i, j + 1), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i + 1, j));
+    }
+  }
+  return mesh;
+}
+
 inline Mesh box(int x, int y, int z) { return blocks({Block{{{0, 0, 0}}, {{x, y, z}}}}); }
 
 // Tubes of this width from one middle along -x, +x, -y, +y, -z, +z: as many as there are lengths (two at least)

@@ -97,8 +97,8 @@ inline void check_number_of_vertices(std::size_t number, std::size_t topology, s
       throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: " + what + " "
                             + std::to_string(needed));
   };
-  reject_number(topology, "the topology of the input needs");
   reject_number(lines, "the corners and lines of the input need");
+  reject_number(topology, "the topology of the input needs");
 }
 
 // `number` is that of the target if it is a number, else what follows from the area alone.

@@ -50,7 +50,8 @@ private:
     m_mesh.set_next(g, m_mesh.next(h));
     m_mesh.set_next(m_mesh.prev(h), g);
     m_mesh.set_face(g, f);
-    m_mesh.set_halfedge(f, g);
+    if(m_mesh.halfedge(f) == h)
+      m_mesh.set_halfedge(f, g);
     m_mesh.set_face(h, Mesh::null_face());
     m_cut.is_line[m_mesh.edge(g)] = true;
   }
@@ -75,7 +76,8 @@ private:
 
   Vertex copy_of(Vertex v)
   {
-    const Vertex copy = m_mesh.add_vertex(m_mesh.point(v));
+    const Point point = m_mesh.point(v); // a reference would not outlive the growth of the mesh
+    const Vertex copy = m_mesh.add_vertex(point);
     m_cut.place[copy] = m_cut.place[v];
     if(m_has_density)
       m_cut.density[copy] = m_cut.density[v];

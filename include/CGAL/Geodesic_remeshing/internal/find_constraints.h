@@ -105,6 +105,16 @@ inline void remove_specks(const Mesh& mesh, double edge_length, const std::vecto
   }
 }
 
+inline void add_features(const Mesh& mesh, double edge_length, double angle_in_degrees, Constraints& constraints)
+{
+  const std::vector<char> is_given = constraints.is_line;
+  const std::vector<char> is_sharp = find_sharp_edges(mesh, angle_in_degrees);
+  for(Edge e : mesh.edges())
+    constraints.is_line[e.idx()] |= is_sharp[e.idx()];
+  remove_specks(mesh, edge_length, is_given, constraints.is_corner, constraints.is_line);
+  find_cone_tips(mesh, edge_length, constraints);
+}
+
 template <class TriangleMesh, class NamedParameters>
 void mark_given_lines(const TriangleMesh& tmesh, const NamedParameters& np, const Input_surface<TriangleMesh>& input,
                       std::vector<char>& is_line)
@@ -150,12 +160,11 @@ Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& n
   }
   if constexpr(!is_default_parameter<NamedParameters, internal_np::features_angle_bound_t>::value)
   {
-    const std::vector<char> is_given = result.is_line;
-    const std::vector<char> is_sharp = find_sharp_edges(mesh, CGAL::to_double(get_parameter(np, internal_np::features_angle_bound)));
-    for(Edge e : mesh.edges())
-      result.is_line[e.idx()] |= is_sharp[e.idx()];
-    remove_specks(mesh, edge_length, is_given, result.is_corner, result.is_line);
-    find_cone_tips(mesh, result);
+    const double bound = CGAL::to_double(get_parameter(np, internal_np::features_angle_bound));
+    if(!(bound > 0.))
+      reject("the angle bound of features must be positive");
+    if(bound <= 180.)
+      add_features(mesh, edge_length, bound, result);
   }
   find_corners(mesh, edge_length, result);
   return result;

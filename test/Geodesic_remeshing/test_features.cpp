@@ -1,0 +1,802 @@
+#include "distance_to_surface.h"
+#include "made_surfaces.h"
+#include "test_support.h"
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/geodesic_remeshing.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Boundary, features, corners, constrained edges and vertices, patches, many components, places on the input.
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace GR = CGAL::Geodesic_remeshing;
+namespace parameters = GR::parameters;
+using CGAL::geodesic_remeshing;
+using GR::internal::Constraints;
+using GR::internal::Edge;
+using support::Face;
+using support::Halfedge;
+using support::Mesh;
+using support::Point;
+using support::Vertex;
+using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
+
+namespace {
+
+using Segments = std::vector<std::pair<Point, Point>>;
+
+double diagonal_of(const Mesh& mesh)
+{
+  const auto box = PMP::bbox(mesh);
+  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
+                   + CGAL::square(box.zmax() - box.zmin()));
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  const Vector ab = b - a, ap = p - a;
+  const double length = ab.squared_length();
+  const double t = length > 0. ? (std::min)(1., (std::max)(0., ap * ab / length)) : 0.;
+  return std::sqrt((ap - t * ab).squared_length());
+}
+
+// How far the points of the first lines are from the second ones, at most; looked at in ten points of each segment
+double distance_of_lines(const Segments& from, const Segments& to)
+{
+  double largest = 0.;
+  for(const auto& s : from)
+    for(int i = 0; i <= 10; ++i)
+    {
+      const Point p = s.first + .1 * i * (s.second - s.first);
+      double nearest = std::numeric_limits<double>::infinity();
+      for(const auto& t : to)
+        nearest = (std::min)(nearest, distance_to_segment(p, t.first, t.second));
+      largest = (std::max)(largest, nearest);
+    }
+  return largest;
+}
+
+template <class Is_line>
+Segments lines_of(const Mesh& mesh, const Is_line& is_line)
+{
+  Segments result;
+  for(Edge e : mesh.edges())
+    if(is_line(e))
+      result.emplace_back(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+  return result;
+}
+
+Vector normal_of(const Mesh& mesh, Face f)
+{
+  const Halfedge h = mesh.halfedge(f);
+  const Point& p = mesh.point(mesh.source(h));
+  const Vector n = CGAL::cross_product(mesh.point(mesh.target(h)) - p, mesh.point(mesh.target(mesh.next(h))) - p);
+  return n / std::sqrt(n.squared_length());
+}
+
+// The creases of 60 degrees and more, and the boundary
+bool is_sharp(const Mesh& mesh, Edge e)
+{
+  return mesh.is_border(e) || normal_of(mesh, mesh.face(mesh.halfedge(e, 0))) * normal_of(mesh, mesh.face(mesh.halfedge(e, 1))) < .5 + 1e-9;
+}
+
+std::function<bool(Edge)> sharp_edges_of(const Mesh& mesh) { return [&mesh](Edge e) { return is_sharp(mesh, e); }; }
+
+bool has_vertex_at(const Mesh& mesh, const Point& p)
+{
+  return std::any_of(mesh.vertices_begin(), mesh.vertices_end(), [&](Vertex v) { return mesh.point(v) == p; });
+}
+
+// Vertices at which other than two of the lines meet, or two that turn by 60 degrees
+template <class Is_line>
+std::vector<Point> corners_of(const Mesh& mesh, const Is_line& is_line)
+{
+  std::vector<Point> result;
+  for(Vertex v : mesh.vertices())
+  {
+    std::vector<Vector> ways;
+    for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      if(is_line(mesh.edge(h)))
+        ways.push_back(mesh.point(mesh.source(h)) - mesh.point(v));
+    if(ways.empty())
+      continue;
+    const bool turns = ways.size() == 2
+      && -(ways[0] * ways[1]) < .5001 * std::sqrt(ways[0].squared_length() * ways[1].squared_length());
+    if(ways.size() != 2 || turns)
+      result.push_back(mesh.point(v));
+  }
+  return result;
+}
+
+// A result with all that it tells
+struct Result
+{
+  using Location = PMP::Face_location<Mesh, double>;
+  Mesh mesh;
+  Mesh::Property_map<Vertex, Location> location = mesh.add_property_map<Vertex, Location>("v:location").first;
+  Mesh::Property_map<Edge, bool> constrained = mesh.add_property_map<Edge, bool>("e:is_constrained", false).first;
+  Mesh::Property_map<Face, int> patch = mesh.add_property_map<Face, int>("f:patch", -1).first;
+
+  template <class Target, class Parameters>
+  Result(const Mesh& input, const Target& target, const Parameters& np)
+  {
+    geodesic_remeshing(input, target, mesh,
+                       np, parameters::vertex_location_map(location).edge_is_constrained_map(constrained).face_patch_map(patch));
+  }
+  Result(const Result&) = delete;
+  Result& operator=(const Result&) = delete;
+
+  Segments lines() const { return lines_of(mesh, [this](Edge e) { return constrained[e]; }); }
+};
+
+void expect_guarantees(const Mesh& input, const Result& result, std::size_t vertices)
+{
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(result.mesh));
+  EXPECT_EQ(result.mesh.number_of_vertices(), vertices);
+  EXPECT_EQ(support::topology_of(result.mesh), support::topology_of(input));
+  const double diagonal = diagonal_of(input);
+  for(Vertex v : result.mesh.vertices())
+  {
+    const Point place = PMP::construct_point(result.location[v], input);
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(place, result.mesh.point(v))), 1e-9 * diagonal) << v;
+  }
+}
+
+// Both ways within this part of the diagonal
+void expect_lines_covered(const Segments& input, const Result& result, double tolerance)
+{
+  EXPECT_LE(distance_of_lines(input, result.lines()), tolerance) << "a line is lost";
+  EXPECT_LE(distance_of_lines(result.lines(), input), tolerance) << "an edge is marked that is on no line";
+}
+
+void expect_corners(const std::vector<Point>& corners, const Mesh& mesh)
+{
+  for(const Point& p : corners)
+    EXPECT_TRUE(has_vertex_at(mesh, p)) << "corner at " << p;
+}
+
+// ---- surfaces with straight lines
+
+struct Straight_case
+{
+  std::string name;
+  Mesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& out, const Straight_case& c) { return out << c.name; }
+
+Mesh with_hole(Mesh mesh, std::initializer_list<unsigned> faces)
+{
+  for(unsigned f : faces)
+    CGAL::Euler::remove_face(mesh.halfedge(Face(f)), mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
+
+std::vector<Straight_case> straight_cases()
+{
+  return {{"cube", made::box(1, 1, 1)},        {"box", made::box(4, 3, 2)},   {"L", made::l_shape()},
+          {"stairs", made::stairs(4)},         {"gear", made::gear(12, 8., 10., 4.)},
+          {"frame", made::blocks({{{{0, 0, 0}}, {{9, 3, 3}}}, {{{0, 6, 0}}, {{9, 9, 3}}}, {{{0, 3, 0}}, {{3, 6, 3}}}, {{{6, 3, 0}}, {{9, 6, 3}}}})},
+          {"thin_box", made::scaled(made::box(40, 40, 1), .1)},
+          {"square", made::plane(6)},          {"two_boxes", made::together({made::box(2, 2, 2), made::moved(made::box(1, 3, 1), Vector(5, 0, 0))})}};
+}
+
+} // namespace
+
+class Straight_lines : public testing::TestWithParam<Straight_case>
+{};
+
+TEST_P(Straight_lines, corners_are_exact_and_lines_covered)
+{
+  const Mesh& input = GetParam().mesh;
+  const Segments lines = lines_of(input, sharp_edges_of(input));
+  for(std::size_t vertices : {300, 2000})
+  {
+    SCOPED_TRACE(vertices);
+    const Result result(input, vertices, parameters::features_angle_bound(60.));
+    expect_guarantees(input, result, vertices);
+    expect_corners(corners_of(input, sharp_edges_of(input)), result.mesh);
+    expect_lines_covered(lines, result, 1e-9 * diagonal_of(input));
+    // all else is flat, so the creases of the output are the lines, too
+    EXPECT_LE(distance_of_lines(lines_of(result.mesh, sharp_edges_of(result.mesh)), lines), 1e-9 * diagonal_of(input));
+  }
+}
+
+TEST_P(Straight_lines, angles_are_good)
+{
+  const Mesh& input = GetParam().mesh;
+  const Result result(input, 2000, parameters::features_angle_bound(60.));
+  const support::Quality quality = support::quality_of(result.mesh);
+  EXPECT_GT(quality.smallest_angle, 20.);
+  EXPECT_GT(quality.mean_smallest_angle, 50.);
+}
+
+TEST_P(Straight_lines, pieces_are_numbered_by_what_the_lines_divide)
+{
+  const Mesh& input = GetParam().mesh;
+  const Result result(input, 1000, parameters::features_angle_bound(60.));
+  std::map<int, Vector> normal; // these pieces are flat
+  for(Face f : result.mesh.faces())
+  {
+    const auto found = normal.emplace(result.patch[f], normal_of(result.mesh, f)).first;
+    EXPECT_GT(found->second * normal_of(result.mesh, f), 1. - 1e-6);
+  }
+  EXPECT_GE(normal.size(), 1u);
+  for(Edge e : result.mesh.edges())
+    if(!result.mesh.is_border(e) && !result.constrained[e])
+    {
+      EXPECT_EQ(result.patch[result.mesh.face(result.mesh.halfedge(e, 0))], result.patch[result.mesh.face(result.mesh.halfedge(e, 1))]);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Made, Straight_lines, testing::ValuesIn(straight_cases()),
+                         [](const testing::TestParamInfo<Straight_case>& info) { return info.param.name; });
+
+TEST(Features, cube_with_hardly_more_vertices_than_corners)
+{
+  const Mesh input = made::box(1, 1, 1);
+  for(std::size_t vertices : {8, 9, 10, 14, 20})
+  {
+    const Result result(input, vertices, parameters::features_angle_bound(60.));
+    expect_guarantees(input, result, vertices);
+    expect_lines_covered(lines_of(input, sharp_edges_of(input)), result, 1e-12);
+  }
+}
+
+TEST(Features, too_few_vertices_for_the_corners_says_how_many_are_needed)
+{
+  const Mesh input = made::box(1, 1, 1);
+  Mesh output = made::octahedron();
+  try
+  {
+    geodesic_remeshing(input, 7, output, parameters::features_angle_bound(60.));
+    FAIL() << "seven vertices for eight corners";
+  }
+  catch(const GR::Remeshing_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(" 8"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(support::is_same_mesh(output, made::octahedron()));
+}
+
+TEST(Features, none_without_the_parameter)
+{
+  const Result result(made::box(4, 3, 2), 500, parameters::default_values());
+  EXPECT_TRUE(result.lines().empty());
+}
+
+TEST(Features, rims_of_a_cylinder_are_covered_within_the_sagitta)
+{
+  const Mesh input = made::cylinder(1., 3., 90, 20);
+  const Result result(input, 1500, parameters::features_angle_bound(60.));
+  expect_guarantees(input, result, 1500);
+  double longest = 0.;
+  for(const auto& s : result.lines())
+    longest = (std::max)(longest, std::sqrt(CGAL::squared_distance(s.first, s.second)));
+  const double edge_of_input = 2. * std::sin(CGAL_PI / 90.);
+  expect_lines_covered(lines_of(input, sharp_edges_of(input)), result,
+                       1.01 * (longest * longest + edge_of_input * edge_of_input) / 8.);
+  EXPECT_GT(support::quality_of(result.mesh).mean_smallest_angle, 52.);
+}
+
+TEST(Features, ends_of_long_edges_of_a_line_are_kept)
+{
+  const Mesh input = made::cylinder(1., 3., 12, 4); // a prism
+  const Result result(input, 3000, parameters::features_angle_bound(60.));
+  expect_lines_covered(lines_of(input, sharp_edges_of(input)), result, 1e-9);
+}
+
+TEST(Features, bound_must_be_positive)
+{
+  Mesh output;
+  EXPECT_THROW(geodesic_remeshing(made::box(1, 1, 1), 100, output, parameters::features_angle_bound(0.)), std::invalid_argument);
+  EXPECT_THROW(geodesic_remeshing(made::box(1, 1, 1), 100, output,
+                                  parameters::features_angle_bound(std::numeric_limits<double>::quiet_NaN())), std::invalid_argument);
+}
+
+TEST(Features, tip_of_a_cone_is_a_vertex)
+{
+  Mesh input = made::cylinder(1., 1., 40, 10);
+  for(Vertex v : input.vertices()) // the upper end drawn together
+  {
+    const Point p = input.point(v);
+    const double r = 1. - p.z();
+    input.point(v) = Point(r * p.x(), r * p.y(), 1.5 * p.z());
+  }
+  const Result result(input, 800, parameters::features_angle_bound(60.));
+  expect_guarantees(input, result, 800);
+  EXPECT_TRUE(has_vertex_at(result.mesh, Point(0, 0, 1.5)));
+}
+
+// ---- boundary
+
+namespace {
+
+struct Open_case
+{
+  std::string name;
+  Mesh mesh;
+  double tolerance; // of the boundary, at 1500 vertices
+};
+
+std::ostream& operator<<(std::ostream& out, const Open_case& c) { return out << c.name; }
+
+std::vector<Open_case> open_cases()
+{
+  return {{"square", made::plane(10), 1e-9},
+          {"disc", made::disc(20), 2e-3},
+          {"tube", made::cylinder(1., 4., 60, 30, false), 4e-3},
+          {"punctured_torus", with_hole(made::torus(3., 1., 40, 20), {101}), .15},
+          {"torus_with_three_holes", with_hole(made::torus(3., 1., 40, 20), {101, 700, 1200}), .15},
+          {"sphere_with_four_holes", with_hole(made::sphere(4), {0, 300, 700, 1100}), .05},
+          {"open_box", with_hole(made::box(1, 1, 1), {0, 1}), 1e-9},
+          {"two_discs", made::together({made::disc(8), made::moved(made::disc(12, 2.), Vector(5, 0, 0))}), 2e-2},
+          {"closed_and_open", made::together({made::sphere(3), made::moved(made::disc(12, 2.), Vector(5, 0, 0))}), 1e-2}};
+}
+
+} // namespace
+
+class Open_surfaces : public testing::TestWithParam<Open_case>
+{};
+
+TEST_P(Open_surfaces, keep_their_boundary)
+{
+  const Mesh& input = GetParam().mesh;
+  const auto border = [&](Edge e) { return input.is_border(e); };
+  for(std::size_t vertices : {100, 1500})
+  {
+    const Result result(input, vertices, parameters::default_values());
+    expect_guarantees(input, result, vertices);
+    for(Edge e : result.mesh.edges())
+      EXPECT_EQ(result.constrained[e], result.mesh.is_border(e));
+    if(vertices == 1500)
+    {
+      expect_lines_covered(lines_of(input, border), result, GetParam().tolerance);
+      EXPECT_GT(support::quality_of(result.mesh).smallest_angle, 20.);
+      EXPECT_GT(support::quality_of(result.mesh).mean_smallest_angle, 52.);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Made, Open_surfaces, testing::ValuesIn(open_cases()),
+                         [](const testing::TestParamInfo<Open_case>& info) { return info.param.name; });
+
+TEST(Open_surface, corners_of_a_square_and_nothing_but_rows_beside_its_sides)
+{
+  const Result result(made::plane(10), 1500, parameters::default_values());
+  expect_corners({Point(0, 0, 0), Point(10, 0, 0), Point(0, 10, 0), Point(10, 10, 0)}, result.mesh);
+  EXPECT_GT(support::quality_of(result.mesh).mean_smallest_angle, 56.);
+}
+
+TEST(Open_surface, number_of_faces_to_one)
+{
+  for(const Mesh& input : {made::plane(5), made::disc(8), made::cylinder(1., 4., 60, 30, false)})
+    for(std::size_t faces : {200, 1001, 1002})
+    {
+      Mesh output;
+      geodesic_remeshing(input, GR::Number_of_faces{faces}, output);
+      EXPECT_LE(output.number_of_faces(), faces);
+      EXPECT_GE(output.number_of_faces() + 1, faces) << "an odd number may not be possible";
+    }
+}
+
+TEST(Open_surface, edge_length)
+{
+  const Mesh input = made::plane(10);
+  Mesh output;
+  geodesic_remeshing(input, GR::Edge_length{.5}, output);
+  double sum = 0.;
+  for(Edge e : output.edges())
+    sum += std::sqrt(CGAL::squared_distance(output.point(output.vertex(e, 0)), output.point(output.vertex(e, 1))));
+  EXPECT_NEAR(sum / output.number_of_edges(), .5, .02);
+}
+
+TEST(Open_surface, one_triangle)
+{
+  Mesh input, output;
+  CGAL::make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), input);
+  for(std::size_t vertices : {3, 4, 6, 50})
+  {
+    geodesic_remeshing(input, vertices, output);
+    EXPECT_EQ(output.number_of_vertices(), vertices);
+    EXPECT_EQ(support::topology_of(output), support::topology_of(input));
+    expect_corners({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, output);
+  }
+  EXPECT_THROW(geodesic_remeshing(input, 2, output), GR::Remeshing_error);
+}
+
+// A Moebius strip cannot be a halfedge mesh; as a soup it has an edge whose faces run through it in one direction.
+
+// ---- what the user constrains
+
+namespace {
+
+struct Constrained_sphere
+{
+  Mesh mesh = made::sphere(4);
+  Mesh::Property_map<Edge, bool> edges = mesh.add_property_map<Edge, bool>("e:given", false).first;
+  Mesh::Property_map<Vertex, bool> vertices = mesh.add_property_map<Vertex, bool>("v:given", false).first;
+
+  // All edges whose ends fulfil this
+  template <class Condition>
+  void constrain(const Condition& condition)
+  {
+    for(Edge e : mesh.edges())
+      if(condition(mesh.point(mesh.vertex(e, 0))) && condition(mesh.point(mesh.vertex(e, 1))))
+        edges[e] = true;
+  }
+
+  Segments lines() const { return lines_of(mesh, [this](Edge e) { return edges[e]; }); }
+};
+
+} // namespace
+
+TEST(Constrained_edges, circle_dangling_arc_and_crossing)
+{
+  Constrained_sphere s;
+  s.constrain([](const Point& p) { return p.z() == 0.; });                               // closed
+  s.constrain([](const Point& p) { return p.x() == 0. && p.y() >= 0. && p.z() >= -.3; }); // crosses it, with two ends
+  s.constrain([](const Point& p) { return p.y() == 0. && p.x() > .2 && p.z() > .2; });    // touches nothing
+  for(std::size_t vertices : {150, 1500})
+  {
+    const Result result(s.mesh, vertices, parameters::edge_is_constrained_map(s.edges));
+    expect_guarantees(s.mesh, result, vertices);
+    expect_lines_covered(s.lines(), result, vertices == 150 ? .06 : .006);
+    expect_corners(corners_of(s.mesh, [&](Edge e) { return s.edges[e]; }), result.mesh);
+  }
+}
+
+TEST(Constrained_edges, lines_nearer_to_each_other_than_the_edge_length)
+{
+  Constrained_sphere s;
+  std::set<double> heights;
+  for(Vertex v : s.mesh.vertices())
+    heights.insert(s.mesh.point(v).z());
+  s.constrain([](const Point& p) { return p.z() == 0.; });
+  // a row of edges beside the equator
+  for(Edge e : s.mesh.edges())
+  {
+    const Point &p = s.mesh.point(s.mesh.vertex(e, 0)), &q = s.mesh.point(s.mesh.vertex(e, 1));
+    if(p.z() > 0. && q.z() > 0. && (std::max)(p.z(), q.z()) < .13 && std::abs(p.z() - q.z()) < .03)
+      s.edges[e] = true;
+  }
+  for(std::size_t vertices : {200, 400})
+  {
+    const Result result(s.mesh, vertices, parameters::edge_is_constrained_map(s.edges));
+    expect_guarantees(s.mesh, result, vertices);
+    expect_corners(corners_of(s.mesh, [&](Edge e) { return s.edges[e]; }), result.mesh);
+  }
+}
+
+TEST(Constrained_edges, every_edge)
+{
+  Constrained_sphere s;
+  s.mesh = made::sphere(2);
+  s.edges = s.mesh.add_property_map<Edge, bool>("e:given", true).first;
+  const Result result(s.mesh, 500, parameters::edge_is_constrained_map(s.edges));
+  expect_guarantees(s.mesh, result, 500);
+  for(Vertex v : s.mesh.vertices())
+    EXPECT_TRUE(has_vertex_at(result.mesh, s.mesh.point(v)));
+  EXPECT_LT(distance_of_lines(s.lines(), result.lines()), 1e-9);
+}
+
+TEST(Constrained_vertices, are_vertices_of_the_output)
+{
+  Constrained_sphere s;
+  for(unsigned v : {3u, 50u, 51u, 400u, 700u})
+    s.vertices[Vertex(v)] = true;
+  const Result result(s.mesh, 300, parameters::vertex_is_constrained_map(s.vertices));
+  expect_guarantees(s.mesh, result, 300);
+  for(Vertex v : s.mesh.vertices())
+    if(s.vertices[v])
+    {
+      EXPECT_TRUE(has_vertex_at(result.mesh, s.mesh.point(v))) << v;
+    }
+}
+
+// ---- patches
+
+TEST(Patches, octants_of_a_sphere)
+{
+  Mesh input = made::sphere(4);
+  auto patch = input.add_property_map<Face, int>("f:octant", 0).first;
+  const auto octant = [](const Mesh& mesh, Face f)
+  {
+    const Halfedge h = mesh.halfedge(f);
+    const Point c = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    return 100 + (c.x() > 0.) + 2 * (c.y() > 0.) + 4 * (c.z() > 0.);
+  };
+  for(Face f : input.faces())
+    patch[f] = octant(input, f);
+  for(std::size_t vertices : {6, 30, 1000}) // six: every patch is one face, all its vertices are corners
+  {
+    const Result result(input, vertices, parameters::face_patch_map(patch));
+    expect_guarantees(input, result, vertices);
+    for(Face f : result.mesh.faces())
+      EXPECT_EQ(result.patch[f], octant(result.mesh, f));
+    for(Edge e : result.mesh.edges())
+      EXPECT_EQ(result.constrained[e], result.patch[result.mesh.face(result.mesh.halfedge(e, 0))]
+                                         != result.patch[result.mesh.face(result.mesh.halfedge(e, 1))]);
+  }
+}
+
+TEST(Patches, in_place)
+{
+  Mesh mesh = made::box(2, 2, 2);
+  auto patch = mesh.add_property_map<Face, int>("f:side", 0).first;
+  const auto side = [&](Face f) { const Vector n = normal_of(mesh, f); return int(std::lround(n.x() + 2 * n.y() + 3 * n.z())); };
+  for(Face f : mesh.faces())
+    patch[f] = side(f);
+  geodesic_remeshing(mesh, 400, parameters::face_patch_map(patch));
+  EXPECT_EQ(mesh.number_of_vertices(), 400u);
+  for(Face f : mesh.faces())
+    EXPECT_EQ(patch[f], side(f));
+}
+
+// ---- components
+
+TEST(Many_components, five_thousand_small_ones)
+{
+  std::vector<Mesh> meshes;
+  for(int i = 0; i < 5000; ++i)
+  {
+    const Vector to(4 * (i % 71), 4 * (i / 71), 0);
+    meshes.push_back(i % 3 == 0 ? made::moved(made::plane(1), to) : made::moved(made::sphere(1 + i % 2), to));
+  }
+  const Mesh input = made::together(meshes);
+  Mesh output;
+  geodesic_remeshing(input, 40000, output);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(output));
+  EXPECT_EQ(output.number_of_vertices(), 40000u);
+  EXPECT_EQ(support::topology_of(output), support::topology_of(input));
+}
+
+TEST(Many_components, small_ones_get_what_they_need_beside_large_ones)
+{
+  const Mesh input = made::together({made::sphere(5, 10.), made::moved(made::sphere(3, .01), Vector(20, 0, 0)),
+                                     made::moved(made::torus(.03, .01, 20, 10), Vector(30, 0, 0)),
+                                     made::moved(made::disc(4, .01), Vector(40, 0, 0))});
+  for(std::size_t vertices : {40, 300})
+  {
+    const Result result(input, vertices, parameters::default_values());
+    expect_guarantees(input, result, vertices);
+  }
+  Mesh output;
+  EXPECT_THROW(geodesic_remeshing(input, 17, output), GR::Remeshing_error) << "4 + 4 + 7 + 3 are needed";
+}
+
+// ---- models
+
+namespace {
+
+struct Model_case
+{
+  std::string model;
+  std::size_t vertices;
+  double feature_angle; // 0: none
+  double mean_angle;    // at least
+  double lines;         // distance of the lines, in percent of the diagonal
+  double distance;      // of the surfaces, at most
+};
+
+std::ostream& operator<<(std::ostream& out, const Model_case& c) { return out << c.model << ", " << c.vertices; }
+
+} // namespace
+
+class Model_with_lines : public testing::TestWithParam<Model_case>
+{};
+
+TEST_P(Model_with_lines, keeps_them)
+{
+  const Model_case& c = GetParam();
+  Mesh input;
+  ASSERT_TRUE(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/" + c.model + ".off"), input));
+  const Result result(input, c.vertices, parameters::features_angle_bound(c.feature_angle > 0. ? c.feature_angle : 999.));
+  expect_guarantees(input, result, c.vertices);
+  const double diagonal = diagonal_of(input);
+  const std::function<bool(Edge)> is_line = c.feature_angle > 0. ? sharp_edges_of(input)
+                                                                  : [&](Edge e) { return input.is_border(e); };
+  EXPECT_LE(distance_of_lines(lines_of(input, is_line), result.lines()), .01 * c.lines * diagonal);
+  EXPECT_LE(distance_of_lines(result.lines(), lines_of(input, is_line)), .01 * c.lines * diagonal);
+  EXPECT_GE(support::quality_of(result.mesh).smallest_angle, 20.);
+  EXPECT_GE(support::quality_of(result.mesh).mean_smallest_angle, c.mean_angle);
+  EXPECT_LE(support::largest_distance(result.mesh, input), .01 * c.distance * diagonal);
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, Model_with_lines,
+                         testing::Values(Model_case{"fandisk", 3238, 60., 52., .5, 1.}, Model_case{"anchor_dense", 3000, 60., 52., 1.5, 2.},
+                                         Model_case{"joint_refined", 3000, 60., 52., .5, 1.},
+                                         Model_case{"rotor", 5000, 60., 52., .8, 1.},
+                                         Model_case{"mannequin-devil", 5000, 0., 52., .5, 3.},
+                                         Model_case{"lion-head", 5000, 0., 52., .3, 4.},
+                                         Model_case{"nefertiti", 3000, 0., 52., .2, 1.},
+                                         Model_case{"mesh_with_border", 1000, 0., 52., .1, 1.},
+                                         Model_case{"cylinder", 1000, 0., 52., .2, 1.},
+                                         Model_case{"patch-01", 2000, 0., 52., .2, 3.}),
+                         [](const testing::TestParamInfo<Model_case>& info)
+                         {
+                           std::string name = info.param.model;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+// ---- the parts
+
+namespace internal = GR::internal;
+
+TEST(Lines, pieces_cover_every_line_once_and_end_at_corners)
+{
+  for(const Straight_case& c : straight_cases())
+  {
+    SCOPED_TRACE(c.name);
+    internal::Input_surface<Mesh> input;
+    const auto np = parameters::features_angle_bound(60.);
+    internal::copy_input(c.mesh, c.mesh.points(), np, input, true);
+    const Constraints constraints = internal::find_constraints(c.mesh, np, input, .2);
+    std::size_t edges = 0;
+    for(const auto& piece : internal::trace_lines(input.mesh, constraints))
+    {
+      edges += piece.halfedges.size();
+      for(std::size_t i = 0; i < piece.halfedges.size(); ++i)
+      {
+        EXPECT_TRUE(constraints.is_line[input.mesh.edge(piece.halfedges[i]).idx()]);
+        if(i > 0)
+        {
+          EXPECT_EQ(input.mesh.target(piece.halfedges[i - 1]), input.mesh.source(piece.halfedges[i]));
+        }
+        if(i > 0 || piece.is_ring)
+        {
+          EXPECT_FALSE(constraints.is_corner[input.mesh.source(piece.halfedges[i]).idx()]);
+        }
+      }
+      EXPECT_EQ(constraints.is_corner[input.mesh.source(piece.halfedges.front()).idx()] == 0, piece.is_ring);
+    }
+    EXPECT_EQ(edges, std::size_t(std::count_if(constraints.is_line.begin(), constraints.is_line.end(), [](char x) { return x != 0; })));
+  }
+}
+
+TEST(Lines, corners_depend_on_the_scale)
+{
+  // a boundary that goes up and down at every vertex
+  Mesh input = made::plane(40);
+  for(Vertex v : input.vertices())
+    if(input.point(v).y() == 0.)
+      input.point(v) = Point(input.point(v).x(), int(std::lround(input.point(v).x())) % 2 == 0 ? -.6 : .6, 0.);
+  internal::Input_surface<Mesh> copy;
+  internal::copy_input(input, input.points(), parameters::default_values(), copy, true);
+  const auto corners = [&](double edge_length)
+  {
+    const Constraints c = internal::find_constraints(input, parameters::default_values(), copy, edge_length);
+    return std::count_if(c.is_corner.begin(), c.is_corner.end(), [](char x) { return x != 0; });
+  };
+  EXPECT_GT(corners(.5), 35);
+  EXPECT_LE(corners(8.), 8);
+}
+
+TEST(Lines, spurs_and_specks_that_were_only_detected_are_dropped)
+{
+  const Mesh mesh = made::plane(20);
+  // a long line with a spur of length 2 at its middle, and a line of length 3 that touches nothing
+  const auto is_marked = [](const Point& p, const Point& q)
+  {
+    return (p.y() == 10. && q.y() == 10.) || (p.x() == 10. && q.x() == 10. && (std::min)(p.y(), q.y()) >= 10. && (std::max)(p.y(), q.y()) <= 12.)
+        || (p.x() == 4. && q.x() == 4. && (std::min)(p.y(), q.y()) >= 2. && (std::max)(p.y(), q.y()) <= 5.);
+  };
+  const auto left = [&](double edge_length, bool all_given)
+  {
+    std::vector<char> marked(mesh.number_of_edges(), 0), none(mesh.number_of_vertices(), 0);
+    for(Edge e : mesh.edges())
+      marked[e] = is_marked(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+    internal::remove_specks(mesh, edge_length, all_given ? marked : std::vector<char>(marked.size(), 0), none, marked);
+    return std::count(marked.begin(), marked.end(), 1);
+  };
+  EXPECT_EQ(left(1., false), 20 + 2 + 3);
+  EXPECT_EQ(left(1.75, false), 20 + 2) << "a line with two ends must be twice as long as a spur";
+  EXPECT_EQ(left(2.5, false), 20);
+  EXPECT_EQ(left(2.5, true), 20 + 2 + 3);
+}
+
+TEST(Lines, cutting_along_them_leaves_the_pieces_apart)
+{
+  for(const Straight_case& c : straight_cases())
+  {
+    SCOPED_TRACE(c.name);
+    internal::Input_surface<Mesh> input;
+    const auto np = parameters::features_angle_bound(60.);
+    internal::copy_input(c.mesh, c.mesh.points(), np, input, true);
+    const Constraints constraints = internal::find_constraints(c.mesh, np, input, .5);
+    internal::Working_surface working, cut;
+    internal::make_working_surface(input.mesh, constraints, 1., working);
+    std::vector<char> is_corner = constraints.is_corner;
+    is_corner.resize(working.mesh.number_of_vertices(), 0);
+    const internal::Working_surface& pieces = internal::cut_along_lines(working, is_corner, cut);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(pieces.mesh));
+    EXPECT_EQ(is_corner.size(), pieces.mesh.number_of_vertices());
+    EXPECT_EQ(pieces.mesh.number_of_faces(), working.mesh.number_of_faces());
+    for(Face f : working.mesh.faces())
+      for(int i = 0; i < 3; ++i)
+        EXPECT_EQ(working.mesh.point(internal::vertices_of(working.mesh, f)[i]), pieces.mesh.point(internal::vertices_of(pieces.mesh, f)[i]));
+    for(Edge e : pieces.mesh.edges())
+      EXPECT_EQ(pieces.is_line[e], pieces.mesh.is_border(e));
+    std::size_t number, whole;
+    internal::components_of(pieces.mesh, number);
+    internal::components_of(working.mesh, whole);
+    EXPECT_GE(number, whole);
+    if(c.name == "cube" || c.name == "box")
+    {
+      EXPECT_EQ(number, 6u);
+    }
+  }
+}
+
+TEST(Lines, samples_divide_each_piece_evenly)
+{
+  const Mesh mesh = made::box(4, 3, 2);
+  internal::Input_surface<Mesh> input;
+  const auto np = parameters::features_angle_bound(60.);
+  internal::copy_input(mesh, mesh.points(), np, input, true);
+  const Constraints constraints = internal::find_constraints(mesh, np, input, .3);
+  internal::Working_surface working;
+  internal::make_working_surface(input.mesh, constraints, .45, working);
+  const auto pieces = internal::trace_lines(working, constraints);
+  EXPECT_EQ(pieces.size(), 12u);
+  const auto samples = internal::Line_sampler(input.mesh, working).run(constraints, pieces, .3);
+  EXPECT_EQ(samples.size(), 8u + 4 * (12 + 9 + 6)); // 4, 3 and 2 divided by 13, 10 and 7
+  for(const auto& s : samples)
+  {
+    const auto& c = s.place.coordinates;
+    EXPECT_TRUE(c[0] == 0. || c[1] == 0. || c[2] == 0.) << "exactly on an edge";
+    EXPECT_EQ(s.is_pinned, s.vertex.is_valid());
+  }
+}
+
+TEST(Lines, cells_are_contracted_along_them)
+{
+  Mesh mesh = made::plane(20);
+  std::vector<Vertex> samples;
+  for(Vertex v : mesh.vertices())
+  {
+    const int x = int(mesh.point(v).x()), y = int(mesh.point(v).y());
+    if(x % 5 == 0 && y % 5 == 0)
+      samples.push_back(v);
+  }
+  auto is_line = mesh.add_property_map<Edge, bool>("e:line", false).first;
+  for(Edge e : mesh.edges()) // the middle line, too
+    is_line[e] = mesh.point(mesh.vertex(e, 0)).x() == 10. && mesh.point(mesh.vertex(e, 1)).x() == 10.;
+  EXPECT_TRUE(internal::Cell_contractor(mesh, samples, is_line).run().empty());
+  mesh.collect_garbage();
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_EQ(mesh.number_of_vertices(), 25u);
+  EXPECT_EQ(mesh.number_of_faces(), 32u);
+  std::size_t border = 0, middle = 0;
+  for(Edge e : mesh.edges())
+  {
+    const Point &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
+    border += mesh.is_border(e);
+    middle += is_line[e] && p.x() == 10. && q.x() == 10.;
+    if(is_line[e])
+    {
+      EXPECT_TRUE(p.x() == q.x() || p.y() == q.y()) << "lines stay straight";
+    }
+  }
+  EXPECT_EQ(border, 16u);
+  EXPECT_EQ(middle, 4u);
+}
