@@ -1,11 +1,16 @@
 // Writes what the stages of CGAL::geodesic_remeshing() make of a mesh as VTK files, for the figures of the manual:
 //
-//   geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST
+//   geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST FEATURE_ANGLE PARTS
 //
-// The fourth argument tells whether to segment, the last one how much the lengths differ by curvature. The files in FOLDER are input, distances, regions, curves, samples, strips and
-// output, all with the extension vtk.
+// The fourth argument tells whether to segment, the next how much the lengths differ by curvature, from what angle on features are
+// kept (180: none), and into how many parts, one above the other, the faces of the input are sorted, whose borders are kept. The files in
+// FOLDER are input, distances, regions, curves, samples, strips, output, lines (the constrained edges of the output), input_parts and
+// output_parts, all with the extension vtk.
 
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Geodesic_remeshing/attribute_transfer.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/geodesic_remeshing.h>
 
@@ -107,7 +112,7 @@ std::vector<double> color_regions(const Mesh& mesh, const Mesh::Property_map<Mes
   constexpr std::size_t number_of_colors = 8;
   std::vector<std::set<int>> earlier_neighbors(1 + *std::max_element(region.begin(), region.end()));
   for(const auto h : mesh.halfedges())
-    if(region[mesh.face(mesh.opposite(h))] < region[mesh.face(h)])
+    if(!mesh.is_border(h) && !mesh.is_border(mesh.opposite(h)) && region[mesh.face(mesh.opposite(h))] < region[mesh.face(h)])
       earlier_neighbors[region[mesh.face(h)]].insert(region[mesh.face(mesh.opposite(h))]);
   std::vector<double> colors;
   std::vector<std::size_t> uses(number_of_colors, 0);
@@ -159,29 +164,77 @@ void write_points(const std::string& name, const std::vector<Point>& points)
   Vtk_file(name, points).write_cells("VERTICES", cells);
 }
 
-void write_stages(const std::string& file_name, int number_of_vertices, const std::string& folder,
-                  bool use_segmentation, double contrast)
+struct Job
+{
+  std::string input, folder;
+  int number_of_vertices;
+  bool use_segmentation;
+  double contrast, feature_angle;
+  int parts;
+};
+
+void sort_into_parts(Mesh& mesh, int parts)
+{
+  const auto box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  auto part = mesh.add_property_map<Mesh::Face_index, int>("f:region", 0).first;
+  for(const auto f : mesh.faces())
+  {
+    const double height = (mesh.point(mesh.target(mesh.halfedge(f))).y() - box.ymin()) / box.y_span();
+    part[f] = (std::min)(static_cast<int>(height * parts), parts - 1);
+  }
+}
+
+Polylines marked_edges(const Mesh& mesh, const Mesh::Property_map<Mesh::Edge_index, bool>& is_marked)
+{
+  Polylines result;
+  for(const auto e : mesh.edges())
+    if(is_marked[e] || mesh.is_border(e))
+      result.push_back({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
+  return result;
+}
+
+template <class NamedParameters, class NamedParametersOut>
+void remesh(Mesh& mesh, Mesh& out, const Job& job, const NamedParameters& np, const NamedParametersOut& np_out)
 {
   namespace parameters = CGAL::Geodesic_remeshing::parameters;
-  Mesh mesh, out;
-  if(!CGAL::IO::read_OFF(file_name, mesh))
-    throw std::runtime_error("cannot read " + file_name);
-  Stage_results results;
-  const auto options = parameters::use_segmentation(use_segmentation).stage_results(std::ref(results));
-  if(contrast == 0.)
-    CGAL::geodesic_remeshing(mesh, number_of_vertices, out, options);
-  else
+  if(job.contrast > 0.)
   {
-    const CGAL::Geodesic_remeshing::Curvature_sizing_field<Mesh> sizing(mesh, parameters::contrast(contrast));
-    CGAL::geodesic_remeshing(mesh, number_of_vertices, out, options.sizing_field(sizing));
+    const CGAL::Geodesic_remeshing::Curvature_sizing_field<Mesh> sizing(mesh, parameters::contrast(job.contrast));
+    CGAL::geodesic_remeshing(mesh, job.number_of_vertices, out, np.sizing_field(sizing), np_out);
   }
-  write_mesh(folder + "/input.vtk", mesh);
-  write_distances(folder + "/distances.vtk", results.working_surface);
-  write_regions(folder + "/regions.vtk", results.regions);
-  write_polylines(folder + "/curves.vtk", results.curves);
-  write_points(folder + "/samples.vtk", results.samples);
-  write_mesh(folder + "/strips.vtk", results.strips);
-  write_mesh(folder + "/output.vtk", out);
+  else if(job.feature_angle < 180.)
+    CGAL::geodesic_remeshing(mesh, job.number_of_vertices, out, np.features_angle_bound(job.feature_angle), np_out);
+  else
+    CGAL::geodesic_remeshing(mesh, job.number_of_vertices, out, np, np_out);
+}
+
+void write_stages(const Job& job)
+{
+  namespace parameters = CGAL::Geodesic_remeshing::parameters;
+  using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
+  Mesh mesh, out;
+  if(!CGAL::IO::read_OFF(job.input, mesh))
+    throw std::runtime_error("cannot read " + job.input);
+  sort_into_parts(mesh, job.parts);
+  const auto part = mesh.property_map<Mesh::Face_index, int>("f:region").value();
+  const auto location = out.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
+  const auto is_line = out.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
+  Stage_results results;
+  remesh(mesh, out, job,
+         parameters::use_segmentation(job.use_segmentation).face_patch_map(part).stage_results(std::ref(results)),
+         parameters::vertex_location_map(location).edge_is_constrained_map(is_line));
+  CGAL::Geodesic_remeshing::transfer_face_property(mesh, part, out, location,
+                                                   out.add_property_map<Mesh::Face_index, int>("f:region", 0).first);
+  write_mesh(job.folder + "/input.vtk", mesh);
+  write_distances(job.folder + "/distances.vtk", results.working_surface);
+  write_regions(job.folder + "/regions.vtk", results.regions);
+  write_polylines(job.folder + "/curves.vtk", results.curves);
+  write_points(job.folder + "/samples.vtk", results.samples);
+  write_mesh(job.folder + "/strips.vtk", results.strips);
+  write_mesh(job.folder + "/output.vtk", out);
+  write_polylines(job.folder + "/lines.vtk", marked_edges(out, is_line));
+  write_regions(job.folder + "/input_parts.vtk", mesh);
+  write_regions(job.folder + "/output_parts.vtk", out);
 }
 
 } // namespace
@@ -190,9 +243,9 @@ int main(int argc, char* argv[])
 {
   try
   {
-    if(argc != 6)
-      throw std::invalid_argument("usage: geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST");
-    write_stages(argv[1], std::stoi(argv[2]), argv[3], std::string(argv[4]) == "yes", std::stod(argv[5]));
+    if(argc != 8)
+      throw std::invalid_argument("usage: geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST FEATURE_ANGLE PARTS");
+    write_stages({argv[1], argv[3], std::stoi(argv[2]), std::string(argv[4]) == "yes", std::stod(argv[5]), std::stod(argv[6]), std::stoi(argv[7])});
     return EXIT_SUCCESS;
   }
   catch(const std::exception& e)

@@ -3,8 +3,8 @@
   render_figures.py FOLDER_OF_STAGES FOLDER_OF_FIGURES [FIGURE...]
 
 The folder of stages holds a folder for each of the RUNS, the figures are those of FIGURES.
-render_figures.py --runs prints the runs, one a line: model, number of vertices, whether to segment, contrast of the sizing, name of the
-folder.
+render_figures.py --runs prints the runs, one a line: model, number of vertices, whether to segment, contrast of the sizing, feature angle,
+number of parts of the input, name of the folder.
 """
 
 import collections
@@ -14,15 +14,23 @@ import subprocess
 import sys
 import tempfile
 
+def run(model, vertices, folder=None, segmented="yes", contrast=0, feature_angle=180, parts=1):
+    return (model, vertices, segmented, contrast, feature_angle, parts, folder or model)
+
+
 RUNS = [
-    ("cactus", 1200, "yes", 0, "cactus"),
-    ("cactus", 1200, "no", 0, "cactus_unsegmented"),
-    ("dino", 3000, "yes", 0, "dino"),
-    ("dino", 3000, "no", 0, "dino_unsegmented"),
-    ("dino", 5000, "yes", 0, "dino_5000"),
-    ("eight", 1500, "yes", 0, "eight"),
-    ("elephant", 3000, "yes", 0, "elephant"),
-    *(("homer", 3000, "yes", contrast, f"homer_contrast_{contrast}") for contrast in (0, .3, .6)),
+    run("cactus", 1200),
+    run("cactus", 1200, "cactus_unsegmented", segmented="no"),
+    run("dino", 3000),
+    run("dino", 3000, "dino_unsegmented", segmented="no"),
+    run("dino", 5000, "dino_5000"),
+    run("eight", 1500),
+    run("elephant", 3000),
+    *(run("homer", 3000, f"homer_contrast_{contrast}", contrast=contrast) for contrast in (0, .3, .6)),
+    run("fandisk", 3000, feature_angle=60),
+    run("pinion", 4000, feature_angle=60),
+    run("nefertiti", 3000),
+    run("cow", 3000, "cow_parts", parts=7),
 ]
 
 # up and direction of view of the camera, and what it looks at: a point of the picture of the whole model (from the left and from
@@ -38,6 +46,11 @@ HOMER = View(up=(0, 1, 0), direction=(-.35, -.1, -1))
 HEAD = View(up=(0, 1, 0), direction=(-.35, -.1, -1), focus=(.56, .825), height=.37)
 ELEPHANT = View(up=(0, 1, 0), direction=(-.6, -.25, -.8))
 
+FANDISK = View(up=(0, 0, 1), direction=(.7, .6, -.5))
+GEAR = View(up=(0, 0, 1), direction=(.5, .6, -.6))
+NEFERTITI = View(up=(0, 1, 0), direction=(-.3, -.1, -1))
+COW = View(up=(0, 1, 0), direction=(-.4, -.3, -1))
+
 STAGES = ["isolines", "regions", "curves", "samples", "strips", "output"]
 
 # A figure: the size of a panel, and the rows of panels (folder, view, what to show)
@@ -50,6 +63,10 @@ FIGURES = {
                                    ("dino", SHOULDER, "curves"), ("dino", SHOULDER, "strips")]]),
     "handles": ((420, 400), [[("eight", EIGHT, "curves"), ("eight", EIGHT, "output"),
                               ("elephant", ELEPHANT, "curves"), ("elephant", ELEPHANT, "output")]]),
+    "features": ((430, 430), [[("fandisk", FANDISK, "input"), ("fandisk", FANDISK, "lines")],
+                              [("pinion", GEAR, "input"), ("pinion", GEAR, "lines")]]),
+    "open": ((380, 520), [[("nefertiti", NEFERTITI, what) for what in ("input", "lines")]]),
+    "attributes": ((560, 400), [[("cow_parts", COW, what) for what in ("input_parts", "output_parts")]]),
     "contrasts": ((430, 640), [[(f"homer_contrast_{contrast}", HOMER, "output") for contrast in (0, .3, .6)],
                                [(f"homer_contrast_{contrast}", HEAD, "output") for contrast in (0, .3, .6)]]),
 }
@@ -187,6 +204,14 @@ def layers(folder, what):
     line = .0011 * diagonal_of(read(folder, "input"))
     if what in ("input", "strips", "output"):
         return [mesh(read(folder, what))]
+    if what == "lines":
+        return [mesh(read(folder, "output")), tubes(read(folder, "lines"), line, ACCENT)]
+    if what in ("input_parts", "output_parts"):
+        actor = regions(read(folder, what))
+        actor.GetProperty().EdgeVisibilityOn()
+        actor.GetProperty().SetEdgeColor(INK)
+        actor.GetProperty().SetLineWidth(.7 * PIXELS)
+        return [actor]
     if what == "isolines":
         data = read(folder, "distances")
         # the curves of a run without segmentation are those of the distance from the root
