@@ -34,7 +34,7 @@ namespace CGAL {
 /*!
  * \ingroup PkgGeodesicRemeshingRef
  *
- * \brief remeshes a closed triangulated surface by geodesic distances on it: the output has the same topology, exactly the
+ * \brief remeshes a triangulated surface by geodesic distances on it: the output has the same topology, exactly the
  * number of vertices asked for, and well-shaped triangles of even size or of the sizes wished; all its vertices lie on the input surface.
  *
  * The algorithm is that of Sifri, Sheffer and Gotsman \cgalCite{cgal:ssg-gbsr-03}: distances from a root vertex
@@ -42,6 +42,11 @@ namespace CGAL {
  * meeting (section 5), equidistant curves in the regions are sampled, and the strips between them are triangulated by the
  * dual of geodesic Voronoi cells (section 6). Valences, angles and the number of vertices are then improved with the vertices
  * walking on the input surface.
+ *
+ * The boundary of the surface, features, constrained edges and the borders of patches are <em>lines</em>: edges of the output cover them, with
+ * vertices at even distances on them. Where they end, meet or turn sharply are <em>corners</em>, which are vertices of the output. Lines turn sharply where
+ * an edge does by 60 degrees or the chords beside a vertex, half an edge length of the output long, do, and where two edges longer than one and a half meet
+ * at more than 10 degrees. Curves are those of pieces between lines: their fronts start on the longest straight line around a piece.
  *
  * The same input gives the same output, bit by bit.
  *
@@ -51,7 +56,7 @@ namespace CGAL {
  * @tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
  * @tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * @param tmesh the input: a closed triangle mesh of any genus and any number of connected components. Degenerate faces,
+ * @param tmesh the input: a triangle mesh of any genus, with any number of boundary loops and connected components. Degenerate faces,
  *              duplicate points and isolated vertices are allowed; the latter are left out.
  * @param target the number of vertices; or the number of faces, `Number_of_faces{n}`; or `Edge_length{l}`, which asks for the number
  *               of vertices that equilateral triangles of that edge length would have
@@ -98,8 +103,34 @@ namespace CGAL {
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{that of the field, else infinity}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{features_angle_bound}
+ *     \cgalParamDescription{edges at which the surface turns by at least this angle, in degrees, are lines, as
+ *                           `Polygon_mesh_processing::detect_sharp_edges()` finds them; but not those with an end in the surface and shorter than the
+ *                           edges of the output. Then tips of cones, vertices at which more than 90 degrees are missing, are corners.}
+ *     \cgalParamType{a number, positive; above 180 there are no features}
+ *     \cgalParamDefault{no features}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map that tells which edges of `tmesh` are lines}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{no edge but those on the boundary}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_is_constrained_map}
+ *     \cgalParamDescription{a property map that tells which vertices of `tmesh` are corners. With all vertices of the boundary the
+ *                           boundary is kept exactly.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{none but those found}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{a property map with the patch of each face of `tmesh`: edges between two patches are lines}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and a value type that can be compared for equality}
+ *     \cgalParamDefault{no patches}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{use_segmentation}
- *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from the root alone}
+ *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from the root alone; pieces with boundary are never segmented}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
@@ -136,14 +167,33 @@ namespace CGAL {
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, out)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_location_map}
+ *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
+ *                    as key type and `Polygon_mesh_processing::Face_location<TriangleMesh, FT>` as value type}
+ *     \cgalParamDefault{nothing is written}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{filled with whether an edge of `out` lies on a line}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%edge_descriptor`
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{nothing is written}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{filled with the patch of each face of `out`: that of `tmesh`, or, where `tmesh` has none, the number of the piece
+ *                           between lines that the face belongs to}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
+ *                    as key type and a value type that the patches of `tmesh`, or numbers, convert to}
+ *     \cgalParamDefault{nothing is written}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return what was made, and in what time
  *
- * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a boundary or a coordinate that is not
- *         finite, if the target is not positive, if the sizing field gives a vertex a length that is not positive and finite, or if
+ * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a vertex where fans of faces touch or a coordinate that
+ *         is not finite, if the target is not positive, if the sizing field gives a vertex a length that is not positive and finite, or if
  *         `gradation` is not positive or `minimum_length` above `maximum_length`; the message says which vertex or face
- * @throws Geodesic_remeshing::Remeshing_error if the topology of the input needs more vertices, if `minimum_length` and `maximum_length`
+ * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more vertices, if `minimum_length` and `maximum_length`
  *         exclude the number asked for (the message says which numbers they allow), or if the visitor stops the work
  *
  * In both cases `out` is left as it was.
@@ -249,7 +299,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 /*!
  * \ingroup PkgGeodesicRemeshingRef
  *
- * \brief remeshes a closed triangulated surface in place.
+ * \brief remeshes a triangulated surface in place.
  *
  * As the other overload, with `tmesh` replaced by the result at the very end. Property maps of `tmesh` other than the points
  * are not carried over.
