@@ -386,6 +386,24 @@ TEST(Open_surface, corners_of_a_square_and_nothing_but_rows_beside_its_sides)
   EXPECT_GT(support::quality_of(result.mesh).mean_smallest_angle, 56.);
 }
 
+TEST(Open_surface, boundary_of_constrained_vertices_is_kept_exactly)
+{
+  Mesh input = made::disc(10);
+  auto constrained = input.add_property_map<Vertex, bool>("v:given", false).first;
+  for(Vertex v : input.vertices())
+    constrained[v] = input.is_border(v);
+  const Result result(input, 800, parameters::vertex_is_constrained_map(constrained));
+  expect_guarantees(input, result, 800);
+  expect_lines_covered(lines_of(input, [&](Edge e) { return input.is_border(e); }), result, 1e-12);
+  for(Vertex v : input.vertices())
+  {
+    if(constrained[v])
+    {
+      EXPECT_TRUE(has_vertex_at(result.mesh, input.point(v)));
+    }
+  }
+}
+
 TEST(Open_surface, number_of_faces_to_one)
 {
   for(const Mesh& input : {made::plane(5), made::disc(8), made::cylinder(1., 4., 60, 30, false)})
