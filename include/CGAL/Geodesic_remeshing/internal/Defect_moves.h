@@ -33,9 +33,11 @@ public:
   using Index = Lean_triangulation::Index;
 
   explicit Defect_moves(Remeshed_surface& remeshed)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), stamp_(table_.vertex_slots(), 0) {}
+    : remeshed_(remeshed), table_(remeshed.connectivity()), stamp_(table_.vertex_slots(), 0)
+    , changed_(table_.vertex_slots(), 0), valence_(table_.vertex_slots(), 0), refusal_(table_.vertex_slots()) {}
 
-  // One search from each irregular vertex; returns by how much the energy has fallen.
+  // One search from each irregular vertex; returns by how much the energy has fallen. Where nothing has been flipped since
+  // a search found nothing, none is made again.
   int sweep(std::size_t depth);
 
 private:
@@ -47,12 +49,18 @@ private:
   // The most flips looked at in one node of the search: more than four vertices of valence 7 offer.
   struct Candidates { std::array<Candidate, 32> list; std::size_t size = 0; };
   using Corners = std::array<Index, 4>;
+  // A search that found nothing: when, how deep, and the vertices whose edges it looked at.
+  struct Refusal { std::size_t time = 0, depth = 0, begin = 0, end = 0; };
 
   bool search(const Corners& around, std::size_t depth, int energy, Index made);
   void collect(Index v, int most, Index made, Candidates& candidates) const;
   void add(Index h, int most, Index made, Candidates& candidates) const;
   bool settle();
   void gather_zone();
+  void note_flips();
+  void note_change(Index v);
+  void note_visits(const Corners& corners);
+  bool is_refused(Index v, std::size_t depth) const;
 
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
@@ -61,6 +69,10 @@ private:
   std::size_t core_ = 0;                // number of the former
   std::vector<std::size_t> stamp_;
   std::size_t time_ = 0;
+  std::vector<std::size_t> changed_;    // when edges at a vertex or near it were flipped last
+  std::vector<Index> valence_;          // at the end of the last sweep
+  std::vector<Refusal> refusal_;
+  std::vector<Index> visited_;
   std::size_t nodes_left_ = 0, settlements_left_ = 0;
   int found_ = 0;
 };
@@ -68,19 +80,60 @@ private:
 inline int Defect_moves::sweep(const std::size_t depth)
 {
   int total = 0;
+  note_flips();
   for(Index v = 0; v < table_.vertex_slots(); ++v) {
-    if(table_.is_removed(v) || !remeshed_.is_irregular(v))
+    if(table_.is_removed(v) || !remeshed_.is_irregular(v) || is_refused(v, depth))
       continue;
     // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
     nodes_left_ = 40 * depth;
     settlements_left_ = 4;
     path_.clear();
+    const std::size_t begin = visited_.size();
+    ++time_;
     remeshed_.record();
-    if(search({{v, v, v, v}}, depth, 0, Lean_triangulation::none))
+    if(search({{v, v, v, v}}, depth, 0, Lean_triangulation::none)) {
       total -= found_;
+      for(const Corners& corners : path_)
+        for(const Index w : corners)
+          note_change(w);
+    }
+    else
+      refusal_[v] = {time_, depth, begin, visited_.size()};
     remeshed_.forget();
   }
+  for(Index v = 0; v < table_.vertex_slots(); ++v)
+    valence_[v] = table_.valence(v);
   return total;
+}
+
+// What was flipped since the last sweep shows in the valences, but for rare cycles of flips.
+inline void Defect_moves::note_flips()
+{
+  ++time_;
+  for(Index v = 0; v < table_.vertex_slots(); ++v)
+    if(!table_.is_removed(v) && valence_[v] != table_.valence(v))
+      note_change(v);
+}
+
+// The energy of a flip that a search looks at depends on valences up to two edges away.
+inline void Defect_moves::note_change(const Index v)
+{
+  table_.for_each_neighbor(v, [&](const Index w) {
+    table_.for_each_neighbor(w, [&](const Index x) { changed_[x] = time_; });
+  });
+}
+
+inline void Defect_moves::note_visits(const Corners& corners)
+{
+  visited_.insert(visited_.end(), corners.begin(), corners.end());
+}
+
+inline bool Defect_moves::is_refused(const Index v, const std::size_t depth) const
+{
+  const Refusal& refusal = refusal_[v];
+  return refusal.depth >= depth &&
+         std::all_of(visited_.begin() + refusal.begin, visited_.begin() + refusal.end,
+                     [&](const Index w) { return changed_[w] <= refusal.time; });
 }
 
 inline void Defect_moves::add(const Index h, const int most, const Index made, Candidates& candidates) const
@@ -113,6 +166,7 @@ inline void Defect_moves::collect(const Index v, const int most, const Index mad
 inline bool Defect_moves::search(const Corners& around, const std::size_t depth, const int energy, const Index made)
 {
   Candidates candidates;
+  note_visits(around);
   for(const Index v : around)
     collect(v, -energy, made, candidates);
   std::sort(candidates.list.begin(), candidates.list.begin() + candidates.size);

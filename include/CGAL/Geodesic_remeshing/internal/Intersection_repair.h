@@ -10,14 +10,12 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_REPAIR_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_REPAIR_H
 
+#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -39,15 +37,13 @@ public:
   std::size_t run();
 
 private:
-  using Pair = std::pair<Index, Index>;
+  using Pair = Intersection_search::Pair;
 
-  std::vector<Pair> find() const;
   void mend(const Pair& faces);
   void move_apart(Index v);
   void flip_apart(Index h);
   void gather(const Pair& faces);
-  Kernel::Triangle_3 triangle(Index f) const;
-  bool share_a_vertex(Index f, Index g) const;
+  Kernel::Triangle_3 triangle(const Index f) const { return triangle_of(remeshed_, f); }
   std::size_t intersections(Index f) const;
   std::size_t intersections_of_ring(Index v) const;
 
@@ -56,45 +52,6 @@ private:
   std::vector<Index> zone_;                                   // the faces around the pair
   double mendable_;                                           // the worst triangle that a change may make
 };
-
-inline Kernel::Triangle_3 Intersection_repair::triangle(const Index f) const
-{
-  return {remeshed_.spot(table_.source(4 * f)).point, remeshed_.spot(table_.source(4 * f + 1)).point,
-          remeshed_.spot(table_.source(4 * f + 2)).point};
-}
-
-inline bool Intersection_repair::share_a_vertex(const Index f, const Index g) const
-{
-  for(Index h = 4 * f; h < 4 * f + 3; ++h)
-    for(Index k = 4 * g; k < 4 * g + 3; ++k)
-      if(table_.source(h) == table_.source(k))
-        return true;
-  return false;
-}
-
-// Pairs of faces that share no vertex; those that do are kept apart by never turning a face.
-inline std::vector<Intersection_repair::Pair> Intersection_repair::find() const
-{
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<Index> face;
-  for(Index v = 0; v < table_.vertex_slots(); ++v)
-    points.push_back(remeshed_.spot(v).point);
-  for(Index f = 0; f < table_.face_slots(); ++f) {
-    if(table_.is_removed_face(f))
-      continue;
-    triangles.push_back({{table_.source(4 * f), table_.source(4 * f + 1), table_.source(4 * f + 2)}});
-    face.push_back(f);
-  }
-  std::vector<std::pair<std::size_t, std::size_t>> found;
-  Polygon_mesh_processing::triangle_soup_self_intersections(points, triangles, std::back_inserter(found));
-  std::vector<Pair> pairs;
-  for(const auto& pair : found)
-    if(!share_a_vertex(face[pair.first], face[pair.second]))
-      pairs.push_back(std::minmax(face[pair.first], face[pair.second]));
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
 
 inline void Intersection_repair::gather(const Pair& faces)
 {
@@ -116,7 +73,7 @@ inline std::size_t Intersection_repair::intersections(const Index f) const
   std::size_t number = 0;
   for(const Index g : zone_) {
     const Kernel::Triangle_3 s = triangle(g);
-    number += do_overlap(box, s.bbox()) && !share_a_vertex(f, g) && do_intersect(t, s);
+    number += do_overlap(box, s.bbox()) && !share_a_vertex(table_, f, g) && do_intersect(t, s);
   }
   return number;
 }
@@ -184,7 +141,7 @@ inline void Intersection_repair::mend(const Pair& faces)
 
 inline std::size_t Intersection_repair::run()
 {
-  const std::vector<Pair> pairs = find();
+  const std::vector<Pair> pairs = Intersection_search(remeshed_).run();
   for(const Pair& pair : pairs)
     mend(pair);
   return pairs.size();

@@ -55,7 +55,10 @@ inline Nearest_vertices::Nearest_vertices(const Remeshed_surface& remeshed)
   }
   for(std::size_t i = 0; i < queue.size(); ++i) {
     const Index v = vertex[queue[i]];
-    input.for_each_neighbor(queue[i], [&](const Index y) { offer(y, v); });
+    input.for_each_neighbor(queue[i], [&](const Index y) {
+      if(vertex[y] != v)
+        offer(y, v);
+    });
   }
 }
 

@@ -100,7 +100,9 @@ public:
   void forget();
 
   double badness(Index u, Index v, Index w) const;
-  double ring_badness(Index v) const;
+  double ring_badness(const Index v) const { return ring_badness(v, spots_[v], infinity); }
+  // That of the ring if its center were at `spot`; no more than something above the limit where it is above the limit.
+  double ring_badness(Index v, const Spot& spot, double limit) const;
   Vector way_to_center_of_neighbors(Index v) const;
   template <class Visit> void for_each_neighbor_on_line(const Index v, const Visit& visit) const
   {
@@ -131,12 +133,19 @@ public:
                   Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained) const;
 
 private:
+  static double badness(double x, double y, double z, double area);
   int energy(int excess) const;
   int energy_of_half_collapse(Index h) const;
   int excess_in_sector(Index h) const;
   void count_regular_faces(Index v);
   Vector normal_on_line(const Place& place) const;
-  bool is_turned_between_lines(const std::array<Index, 3>& corners, const Vector& normal) const;
+  bool is_turned(const Spot& u, const Spot& v, const Spot& w, const Vector& normal) const
+  {
+    // Against the mean normal: at a crease a single one may point anywhere.
+    const double side = normal * (u.normal + v.normal + w.normal);
+    return side < 0. || (has_lines_ && !(side > 0.) && is_turned_between_lines({{&u, &v, &w}}, normal));
+  }
+  bool is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const;
   void write_faces(Mesh& mesh, const std::vector<Vertex>& vertex, Mesh::Property_map<Edge, bool> constrained) const;
 
   const Surface_walker& walker_;
@@ -223,28 +232,44 @@ inline void Remeshed_surface::forget()
   is_recording_ = false;
 }
 
+// Of a triangle by the squares of its edges and of twice its area.
+inline double Remeshed_surface::badness(const double x, const double y, const double z, const double area)
+{
+  // The smallest angle is opposite the shortest edge; the scalar product there is (sum of squares)/2 - shortest square.
+  const double product = (x + y + z) / 2. - (std::min)((std::min)(x, y), z);
+  return product * product < worst_badness * area ? product * product / area : worst_badness;
+}
+
 inline double Remeshed_surface::badness(const Index u, const Index v, const Index w) const
 {
   const Spot &s = spots_[u], &t = spots_[v], &r = spots_[w];
   const Vector a = t.point - s.point, b = r.point - s.point, c = r.point - t.point;
   const Vector normal = cross_product(a, b);
-  // Against the mean normal: at a crease a single one may point anywhere.
-  const double side = normal * (s.normal + t.normal + r.normal);
-  if(side < 0. || (has_lines_ && !(side > 0.) && is_turned_between_lines({{u, v, w}}, normal)))
+  if(is_turned(s, t, r, normal))
     return turned_badness;
-  // The smallest angle is opposite the shortest edge; the scalar product there is (sum of squares)/2 - shortest square.
-  const double x = a.squared_length(), y = b.squared_length(), z = c.squared_length();
-  const double product = (x + y + z) / 2. - (std::min)({x, y, z});
-  const double area = normal.squared_length();
-  return product * product < worst_badness * area ? product * product / area : worst_badness;
+  return badness(a.squared_length(), b.squared_length(), c.squared_length(), normal.squared_length());
 }
 
-inline double Remeshed_surface::ring_badness(const Index v) const
+// As `badness()` of each triangle; but what one shares with the next is computed once: of all that is asked here this is
+// asked most often.
+inline double Remeshed_surface::ring_badness(const Index v, const Spot& spot, const double limit) const
 {
-  double sum = 0.;
-  connectivity_.for_each_outgoing(v, [&](const Index h) {
-    sum = add_badness(sum, badness(v, connectivity_.target(h), connectivity_.apex(h)));
-  });
+  const Index first = connectivity_.halfedge(v);
+  const Spot* last = &spots_[connectivity_.target(first)];
+  Vector a = last->point - spot.point;
+  double x = a.squared_length(), sum = 0.;
+  Index h = first;
+  do {
+    const Spot* next = &spots_[connectivity_.apex(h)];
+    const Vector b = next->point - spot.point, normal = cross_product(a, b);
+    const double y = b.squared_length(), z = CGAL::squared_distance(next->point, last->point);
+    sum = add_badness(sum, is_turned(spot, *last, *next, normal) ? turned_badness
+                                                                 : badness(x, y, z, normal.squared_length()));
+    last = next;
+    a = b;
+    x = y;
+    h = connectivity_.rotate(h);
+  } while(h != first && h != Lean_triangulation::none && sum <= limit);
   return sum;
 }
 
@@ -373,11 +398,11 @@ inline Vector Remeshed_surface::normal_on_line(const Place& place) const
 }
 
 // A face between creases is one of a side of each: it is turned if at one of its corners no side looks its way.
-inline bool Remeshed_surface::is_turned_between_lines(const std::array<Index, 3>& corners, const Vector& normal) const
+inline bool Remeshed_surface::is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const
 {
-  for(const Index v : corners) {
+  for(const Spot* spot : corners) {
     bool is_seen = false;
-    walker_.for_each_face_at(spots_[v].place, [&](const Face f) { is_seen = is_seen || walker_.normal(f) * normal > 0.; });
+    walker_.for_each_face_at(spot->place, [&](const Face f) { is_seen = is_seen || walker_.normal(f) * normal > 0.; });
     if(!is_seen)
       return true;
   }

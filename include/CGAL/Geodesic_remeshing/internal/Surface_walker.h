@@ -190,6 +190,10 @@ inline Place Surface_walker::walk(const Place& from, const Vector& displacement)
   constexpr double fastest = 1e100;
   Index f = from.face;
   std::array<double, 3> at = from.coordinates, by = velocity(from.face, displacement);
+  // Most ways end in the face where they begin.
+  const std::array<double, 3> end = {{at[0] + by[0], at[1] + by[1], at[2] + by[2]}};
+  if(end[0] >= 0. && end[1] >= 0. && end[2] >= 0.)
+    return Place{from.face, end};
   for(std::size_t crossings = 0; crossings < maximum_number_of_crossings_; ++crossings) {
     // Among faces without area the way can turn for ever, faster at each crossing.
     if(!(std::abs(by[0]) + std::abs(by[1]) + std::abs(by[2]) < fastest))

@@ -53,31 +53,34 @@ public:
   explicit Tip_recovery(Remeshed_surface& remeshed)
     : remeshed_(remeshed), table_(remeshed.connectivity()), input_(remeshed.walker().triangulation()) {}
 
-  // Returns the number of vertices sent.
-  std::size_t run(double tolerance);
+  // `nearest` tells the nearest vertices as they are before the first is sent. Returns the number of vertices sent.
+  std::size_t run(const Nearest_vertices& nearest, double tolerance);
 
 private:
   const Point& input_point(const Index x) const { return remeshed_.walker().surface().point(Vertex(x)); }
-  double ring_distance(Index x, Index v) const;
+  double ring_distance(Index x, Index v, double limit) const;
   bool is_tip(Index x) const;
-  Index vertex_to_send(Index x) const;
+  Index vertex_to_send(Index x, Index v) const;
   bool send(Index v, Index x);
 
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
   const Lean_triangulation& input_;
-  std::vector<Index> nearest_;
   std::vector<double> squared_distance_;   // of each input vertex from its nearest vertex; then from the triangles around that
 };
 
-inline double Tip_recovery::ring_distance(const Index x, const Index v) const
+// No more than something below the limit where it is below the limit.
+inline double Tip_recovery::ring_distance(const Index x, const Index v, const double limit) const
 {
   double least = infinity;
-  table_.for_each_outgoing(v, [&](const Index h) {
+  const Index first = table_.halfedge(v);
+  Index h = first;
+  do {
     least = (std::min)(least, squared_distance_to_triangle(input_point(x), remeshed_.spot(v).point,
                                                            remeshed_.spot(table_.target(h)).point,
                                                            remeshed_.spot(table_.apex(h)).point));
-  });
+    h = table_.rotate(h);
+  } while(h != first && h != Lean_triangulation::none && least > limit);
   return least;
 }
 
@@ -92,9 +95,9 @@ inline bool Tip_recovery::is_tip(const Index x) const
   return is_farthest;
 }
 
-inline Tip_recovery::Index Tip_recovery::vertex_to_send(const Index x) const
+// The nearest vertex v, or where that has to stay the nearest of its neighbours that need not.
+inline Tip_recovery::Index Tip_recovery::vertex_to_send(const Index x, const Index v) const
 {
-  const Index v = nearest_[x];
   if(remeshed_.is_free(v))
     return v;
   Index best = Lean_triangulation::none;
@@ -136,23 +139,24 @@ inline bool Tip_recovery::send(const Index v, const Index x)
   return is_good;
 }
 
-inline std::size_t Tip_recovery::run(const double tolerance)
+inline std::size_t Tip_recovery::run(const Nearest_vertices& nearest, const double tolerance)
 {
-  Nearest_vertices nearest(remeshed_);
-  nearest_.swap(nearest.vertex);
-  squared_distance_.swap(nearest.squared_distance);
   const auto limit = [&](const Index x) { return CGAL::square(tolerance * remeshed_.metric().size(Vertex(x))); };
+  squared_distance_ = nearest.squared_distance;
   for(Index x = 0; x < input_.vertex_slots(); ++x)
-    if(nearest_[x] != Lean_triangulation::none && squared_distance_[x] > limit(x))
-      squared_distance_[x] = (std::min)(squared_distance_[x], ring_distance(x, nearest_[x]));
+    if(nearest.vertex[x] != Lean_triangulation::none && squared_distance_[x] > limit(x))
+      squared_distance_[x] = (std::min)(squared_distance_[x], ring_distance(x, nearest.vertex[x], limit(x)));
   std::size_t sent = 0;
   for(Index x = 0; x < input_.vertex_slots(); ++x) {
-    if(nearest_[x] == Lean_triangulation::none || !(squared_distance_[x] > limit(x)) || !is_tip(x))
+    if(nearest.vertex[x] == Lean_triangulation::none || !(squared_distance_[x] > limit(x)) || !is_tip(x))
       continue;
     // The nearest vertex need not be one of the nearest triangle.
     double distance = squared_distance_[x];
-    table_.for_each_neighbor(nearest_[x], [&](const Index w) { distance = (std::min)(distance, ring_distance(x, w)); });
-    const Index v = distance > limit(x) ? vertex_to_send(x) : Lean_triangulation::none;
+    table_.for_each_neighbor(nearest.vertex[x], [&](const Index w) {
+      if(distance > limit(x))
+        distance = (std::min)(distance, ring_distance(x, w, limit(x)));
+    });
+    const Index v = distance > limit(x) ? vertex_to_send(x, nearest.vertex[x]) : Lean_triangulation::none;
     if(v != Lean_triangulation::none && send(v, x))
       ++sent;
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
+#include <CGAL/Geodesic_remeshing/internal/Nearest_vertices.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
@@ -54,20 +55,27 @@ bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& para
   return true;
 }
 
-inline void recover_tips(Remeshed_surface& remeshed, const double tolerance)
+// Returns the quadrics, which serve for the steps to come. What is nearest to a vertex just sent to a tip does not matter:
+// it stays there.
+inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const double tolerance)
 {
-  Tip_recovery(remeshed).run(tolerance);
-  relax_with_quadrics(remeshed, quadrics(remeshed));
+  const Nearest_vertices nearest(remeshed);
+  Tip_recovery(remeshed).run(nearest, tolerance);
+  std::vector<Quadric> planes = quadrics(remeshed, nearest);
+  relax_with_quadrics(remeshed, planes);
+  return planes;
 }
 
-// Sweeps of defect moves until they gain nothing. The short ways come first: a pair that glides far leaves the mesh
-// sheared along its way, so the steps between the sweeps are what the angles live on.
+// Sweeps of defect moves until they gain next to nothing: each costs two rounds of steps over the whole mesh. The short ways
+// come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps are what the
+// angles live on.
 template <class Progress>
-bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
+bool remove_defects(Remeshed_surface& remeshed, const std::size_t first_depth, const std::vector<Quadric>& planes,
+                    const Progress& go_on)
 {
-  constexpr std::size_t sweeps = 6, first_depth = 4, last_depth = 12;
+  constexpr std::size_t sweeps = 6, last_depth = 12;
+  const int least_gain = static_cast<int>(remeshed.connectivity().number_of_vertices() / 200);
   Defect_moves moves(remeshed);
-  const std::vector<Quadric> planes = quadrics(remeshed);
   for(std::size_t i = 0; i < sweeps; ++i) {
     const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
     const int gain = moves.sweep(depth);
@@ -77,22 +85,24 @@ bool remove_defects(Remeshed_surface& remeshed, const Progress& go_on)
     relax_with_quadrics(remeshed, planes);
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;
-    if(gain == 0 && depth == last_depth)
+    if(gain <= least_gain && depth == last_depth)
       break;
   }
   return true;
 }
 
 // Takes out what flips and steps cannot mend, and puts as many vertices in elsewhere; last, only moves and flips.
-inline void mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
+// Returns whether anything was to be done.
+inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
   for(int round = 0; round < 3; ++round) {
     if(Polish(remeshed).run(badness_of_angle(30.), true) == 0)
-      break;
+      return round > 0;
     Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
     flip_to_regular_valences(remeshed);
     relax(remeshed);
   }
+  return true;
 }
 
 // Tips and defects hinder each other: a pinned tip stops the pairs that glide, and the steps between their sweeps shorten
@@ -105,19 +115,20 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
 {
   // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
   const double tolerance = .3 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
-  recover_tips(remeshed, tolerance);
-  mend_angles(remeshed, parameters);
+  std::vector<Quadric> planes = recover_tips(remeshed, tolerance);
+  if(mend_angles(remeshed, parameters))
+    planes = quadrics(remeshed, Nearest_vertices(remeshed)); // the vertices are others now
   if(parameters.use_defect_moves) {
-    if(!remove_defects(remeshed, [&](const double progress) { return go_on(.5 * progress); }))
+    if(!remove_defects(remeshed, 4, planes, [&](const double progress) { return go_on(.5 * progress); }))
       return false;
-    recover_tips(remeshed, tolerance);
+    planes = recover_tips(remeshed, tolerance);
     remeshed.release();
     remeshed.let_numbers_count(true);
-    if(!remove_defects(remeshed, [&](const double progress) { return go_on(.5 + .5 * progress); }))
+    if(!remove_defects(remeshed, 8, planes, [&](const double progress) { return go_on(.5 + .5 * progress); }))
       return false;
   }
   recover_tips(remeshed, last_tolerance);
-  relax_with_quadrics(remeshed, quadrics(remeshed)); // once more, on the cells as they are now: nearer to hollows
+  relax_with_quadrics(remeshed, quadrics(remeshed, Nearest_vertices(remeshed))); // once more, on the cells as they are now: nearer to hollows
   return true;
 }
 

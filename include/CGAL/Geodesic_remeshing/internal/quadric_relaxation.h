@@ -14,7 +14,6 @@
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -53,26 +52,32 @@ struct Quadric
 };
 
 // The planes of the input's faces, each shared out among the vertices that are nearest to its corners.
-inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed)
+inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed, const Nearest_vertices& nearest)
 {
+  using Index = Lean_triangulation::Index;
   const Surface_walker& walker = remeshed.walker();
   const Lean_triangulation& input = walker.triangulation();
-  const Nearest_vertices nearest(remeshed);
   std::vector<Quadric> result(remeshed.connectivity().vertex_slots());
-  for(Lean_triangulation::Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+  for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
     result[v].from = remeshed.spot(v).point;
-  for(Lean_triangulation::Index f = 0; f < input.face_slots(); ++f) {
-    std::array<Point, 3> p;
-    for(int i = 0; i < 3; ++i)
-      p[i] = walker.surface().point(Vertex(input.source(4 * f + i)));
+  for(Index f = 0; f < input.face_slots(); ++f) {
     const Vector& normal = walker.normal(Face(f));
-    const double area = cross_product(p[1] - p[0], p[2] - p[0]) * normal;
-    for(int i = 0; i < 3; ++i) {
-      const auto v = nearest.vertex[input.source(4 * f + i)];
+    const auto point = [&](const Index h) -> const Point& { return walker.surface().point(Vertex(input.source(h))); };
+    const Point& p = point(4 * f);
+    const double area = cross_product(point(4 * f + 1) - p, point(4 * f + 2) - p) * normal;
+    const auto add = [&](const Index v, const double share) {
       // A face that looks away is that of another sheet.
-      if(v != Lean_triangulation::none && area > 0. && normal * remeshed.spot(v).normal >= 0.)
-        result[v].add(normal, (p[i] - remeshed.spot(v).point) * normal, area);
-    }
+      if(v != Lean_triangulation::none && share > 0. && normal * remeshed.spot(v).normal >= 0.)
+        result[v].add(normal, (p - remeshed.spot(v).point) * normal, share);
+    };
+    const Index u = nearest.vertex[input.source(4 * f)], v = nearest.vertex[input.source(4 * f + 1)],
+                w = nearest.vertex[input.source(4 * f + 2)];
+    // On a fine input the three are mostly the same.
+    if(u == v && v == w)
+      add(u, 3. * area);
+    else
+      for(const Index x : {u, v, w})
+        add(x, area);
   }
   return result;
 }

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_SEARCH_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_SEARCH_H
+
+#include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Triangle_3.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+inline Kernel::Triangle_3 triangle_of(const Remeshed_surface& remeshed, const Lean_triangulation::Index f)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  return {remeshed.spot(table.source(4 * f)).point, remeshed.spot(table.source(4 * f + 1)).point,
+          remeshed.spot(table.source(4 * f + 2)).point};
+}
+
+inline bool share_a_vertex(const Lean_triangulation& table, const Lean_triangulation::Index f,
+                           const Lean_triangulation::Index g)
+{
+  for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h)
+    for(Lean_triangulation::Index k = 4 * g; k < 4 * g + 3; ++k)
+      if(table.source(h) == table.source(k))
+        return true;
+  return false;
+}
+
+// Finds the pairs of faces that intersect without sharing a vertex; those that share one are kept apart by never turning
+// a face. Nearly all faces are near none but their neighbours. So this is no search for boxes that overlap, of which
+// there are many: space is halved where the faces are until few are left in each part, and what is near each other there
+// without being neighbours mostly parts at the middle between the two.
+class Intersection_search
+{
+public:
+  using Index = Lean_triangulation::Index;
+  using Pair = std::pair<Index, Index>;
+
+  explicit Intersection_search(const Remeshed_surface& remeshed)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), boxes_(table_.face_slots()) {}
+
+  std::vector<Pair> run();                           // sorted
+
+private:
+  struct Box { std::array<double, 3> low, high; };
+
+  Box box_of(Index f) const;
+  Box bounds(std::size_t begin, std::size_t end) const;
+  void divide(std::size_t begin, std::size_t end, const Box& part);
+  void test_all(std::size_t begin, std::size_t end, const Box& part);
+  bool do_boxes_overlap(Index f, Index g, const Box& part) const;
+  bool are_apart(Index f, Index g) const;
+
+  const Remeshed_surface& remeshed_;
+  const Lean_triangulation& table_;
+  std::vector<Box> boxes_;                           // by face
+  std::vector<Index> faces_;                         // those of the part that is looked at, after those of the parts it is in
+  std::vector<Pair> pairs_;
+};
+
+inline Intersection_search::Box Intersection_search::box_of(const Index f) const
+{
+  Box box{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}};
+  for(Index h = 4 * f; h < 4 * f + 3; ++h)
+    for(int i = 0; i < 3; ++i) {
+      const double x = remeshed_.spot(table_.source(h)).point[i];
+      box.low[i] = (std::min)(box.low[i], x);
+      box.high[i] = (std::max)(box.high[i], x);
+    }
+  return box;
+}
+
+inline Intersection_search::Box Intersection_search::bounds(const std::size_t begin, const std::size_t end) const
+{
+  Box all{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}};
+  for(std::size_t k = begin; k < end; ++k)
+    for(int i = 0; i < 3; ++i) {
+      all.low[i] = (std::min)(all.low[i], boxes_[faces_[k]].low[i]);
+      all.high[i] = (std::max)(all.high[i], boxes_[faces_[k]].high[i]);
+    }
+  return all;
+}
+
+// A face is in every part that its box meets.
+inline void Intersection_search::divide(const std::size_t begin, const std::size_t end, const Box& part)
+{
+  constexpr std::size_t few = 24;
+  if(end - begin <= few)
+    return test_all(begin, end, part);
+  const Box all = bounds(begin, end);
+  std::array<double, 3> low, length;
+  for(int i = 0; i < 3; ++i) {
+    low[i] = (std::max)(all.low[i], part.low[i]);
+    length[i] = (std::min)(all.high[i], part.high[i]) - low[i];
+  }
+  const auto axis = std::max_element(length.begin(), length.end()) - length.begin();
+  const double middle = low[axis] + length[axis] / 2.;
+  std::array<Box, 2> half = {{part, part}};
+  half[0].high[axis] = half[1].low[axis] = middle;
+  std::size_t number = 0;
+  for(std::size_t k = begin; k < end; ++k)
+    number += std::size_t(boxes_[faces_[k]].low[axis] < middle) + std::size_t(boxes_[faces_[k]].high[axis] >= middle);
+  if(2 * number > 3 * (end - begin))
+    return test_all(begin, end, part);
+  for(int side = 0; side < 2; ++side) {
+    for(std::size_t k = begin; k < end; ++k) {
+      const Index f = faces_[k];
+      if(side == 0 ? boxes_[f].low[axis] < middle : boxes_[f].high[axis] >= middle)
+        faces_.push_back(f);
+    }
+    divide(end, faces_.size(), half[side]);
+    faces_.resize(end);
+  }
+}
+
+// That two boxes have in common, if anything, the corner of all lowest coordinates says in which part to report them.
+inline bool Intersection_search::do_boxes_overlap(const Index f, const Index g, const Box& part) const
+{
+  const Box &a = boxes_[f], &b = boxes_[g];
+  for(int i = 0; i < 3; ++i) {
+    const double low = (std::max)(a.low[i], b.low[i]);
+    if(low > (std::min)(a.high[i], b.high[i]) || low < part.low[i] || !(low < part.high[i]))
+      return false;
+  }
+  return true;
+}
+
+// By a plane across the way between the centers, with a distance far above the rounding.
+inline bool Intersection_search::are_apart(const Index f, const Index g) const
+{
+  const auto point = [&](const Index h) -> const Point& { return remeshed_.spot(table_.source(h)).point; };
+  const Point& origin = point(4 * f);
+  Vector way(0., 0., 0.);
+  for(Index i = 0; i < 3; ++i)
+    way = way + (point(4 * g + i) - point(4 * f + i));
+  double end = -infinity, start = infinity;
+  for(Index i = 0; i < 3; ++i) {
+    end = (std::max)(end, (point(4 * f + i) - origin) * way);
+    start = (std::min)(start, (point(4 * g + i) - origin) * way);
+  }
+  return start - end > 1e-3 * way.squared_length();
+}
+
+inline void Intersection_search::test_all(const std::size_t begin, const std::size_t end, const Box& part)
+{
+  for(std::size_t k = begin; k < end; ++k)
+    for(std::size_t l = begin; l < k; ++l) {
+      const Index f = faces_[l], g = faces_[k];
+      if(do_boxes_overlap(f, g, part) && !share_a_vertex(table_, f, g) && !are_apart(f, g) &&
+         do_intersect(triangle_of(remeshed_, f), triangle_of(remeshed_, g)))
+        pairs_.push_back(std::minmax(f, g));
+    }
+}
+
+inline std::vector<Intersection_search::Pair> Intersection_search::run()
+{
+  for(Index f = 0; f < table_.face_slots(); ++f)
+    if(!table_.is_removed_face(f)) {
+      boxes_[f] = box_of(f);
+      faces_.push_back(f);
+    }
+  divide(0, faces_.size(), {{{-infinity, -infinity, -infinity}}, {{infinity, infinity, infinity}}});
+  std::sort(pairs_.begin(), pairs_.end());
+  return std::move(pairs_);
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_INTERSECTION_SEARCH_H
