@@ -44,9 +44,9 @@ inline bool share_a_vertex(const Lean_triangulation& table, const Lean_triangula
 }
 
 // Finds the pairs of faces that intersect without sharing a vertex; those that share one are kept apart by never turning
-// a face. Nearly all faces are near none but their neighbours. So this is no search for boxes that overlap, of which
-// there are many: space is halved where the faces are until few are left in each part, and what is near each other there
-// without being neighbours mostly parts at the middle between the two.
+// a face. Nearly all faces are near none but their neighbours, and of those that share no vertex with them nearly all are
+// parted by a plane between the two. So what is fast is to halve space where the faces are until few are left in each part, and
+// there to try the plane before asking for the exact answer.
 class Intersection_search
 {
 public:
@@ -71,7 +71,7 @@ private:
   const Remeshed_surface& remeshed_;
   const Lean_triangulation& table_;
   std::vector<Box> boxes_;                           // by face
-  std::vector<Index> faces_;                         // those of the part that is looked at, after those of the parts it is in
+  std::vector<Index> faces_;                         // of a part, after those of the parts it is in
   std::vector<Pair> pairs_;
 };
 
@@ -98,7 +98,7 @@ inline Intersection_search::Box Intersection_search::bounds(const std::size_t be
   return all;
 }
 
-// A face is in every part that its box meets.
+// A face is in every part that its box meets. Where halving does not help, faces are all near to each other.
 inline void Intersection_search::divide(const std::size_t begin, const std::size_t end, const Box& part)
 {
   constexpr std::size_t few = 24;
@@ -130,7 +130,7 @@ inline void Intersection_search::divide(const std::size_t begin, const std::size
   }
 }
 
-// That two boxes have in common, if anything, the corner of all lowest coordinates says in which part to report them.
+// Two boxes that overlap do so in several parts; they count in that with the lowest corner of what they have in common.
 inline bool Intersection_search::do_boxes_overlap(const Index f, const Index g, const Box& part) const
 {
   const Box &a = boxes_[f], &b = boxes_[g];

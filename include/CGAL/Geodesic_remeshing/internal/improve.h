@@ -55,8 +55,8 @@ bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& para
   return true;
 }
 
-// Returns the quadrics, which serve for the steps to come. What is nearest to a vertex just sent to a tip does not matter:
-// it stays there.
+// Returns the quadrics, which serve for the steps to come. They may be those from before vertices were sent: where these are
+// now they stay.
 inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const double tolerance)
 {
   const Nearest_vertices nearest(remeshed);
@@ -66,9 +66,9 @@ inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const doubl
   return planes;
 }
 
-// Sweeps of defect moves until they gain next to nothing: each costs two rounds of steps over the whole mesh. The short ways
-// come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps are what the
-// angles live on.
+// Sweeps of defect moves until they gain next to nothing, since each costs two rounds of steps over the whole mesh. The
+// short ways come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps are
+// what the angles live on.
 template <class Progress>
 bool remove_defects(Remeshed_surface& remeshed, const std::size_t first_depth, const std::vector<Quadric>& planes,
                     const Progress& go_on)
@@ -128,7 +128,8 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
       return false;
   }
   recover_tips(remeshed, last_tolerance);
-  relax_with_quadrics(remeshed, quadrics(remeshed, Nearest_vertices(remeshed))); // once more, on the cells as they are now: nearer to hollows
+  // Once more, on the cells as they are now: nearer to hollows.
+  relax_with_quadrics(remeshed, quadrics(remeshed, Nearest_vertices(remeshed)));
   return true;
 }
 
