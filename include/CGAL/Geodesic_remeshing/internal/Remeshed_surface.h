@@ -67,6 +67,7 @@ public:
 
   // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere.
   bool is_fixed(const Index v) const { return pinned_[v]; }
+  bool has_lines() const { return has_lines_; }
   bool is_on_line(const Index v) const { return has_lines_ && connectivity_.is_on_line(v); }
   bool is_free(const Index v) const { return !is_fixed(v) && !is_on_line(v); }
 

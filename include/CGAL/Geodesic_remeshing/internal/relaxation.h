@@ -28,12 +28,12 @@ inline double tolerated_badness()
 }
 
 // Moves a vertex the given way, or if this spoils the ring by .4 or .16 of it. Most steps leave the ring good, so what it was
-// is asked last. Without a sizing the way is made 1.3 times as long, which evens a mesh out in fewer rounds; with one the
-// steps lead to where nothing moves any more, and the lengths there are not quite those wished.
+// is asked last. The way is made 1.3 times as long, which evens a mesh out in fewer rounds; but not with a sizing or on lines:
+// there what the steps lead to when nothing moves any more is not quite the lengths wished.
 inline void try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index v, Vector way)
 {
   double limit = tolerated_badness();
-  if(remeshed.metric().is_uniform())
+  if(remeshed.metric().is_uniform() && !remeshed.has_lines())
     way = 1.3 * way;
   for(int trial = 0; trial < 3; ++trial, way = .4 * way) {
     const Remeshed_surface::Spot spot = remeshed.spot_after(v, way);
