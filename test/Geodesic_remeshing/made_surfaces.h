@@ -261,7 +261,9 @@ inline Mesh rounded(Mesh mesh, int times)
 
 // An L and a stair, extruded: creases that are not convex, corners of three creases
 inline Mesh l_shape(int width = 4)
-{ return blocks({Block{{{0, 0, 0}}, {{3 * width, width, width}}}, Block{{{0, width, 0}}, {{width, 3 * width, width}}}}); }
+{
+  return blocks({Block{{{0, 0, 0}}, {{3 * width, width, width}}}, Block{{{0, width, 0}}, {{width, 3 * width, width}}}});
+}
 
 inline Mesh stairs(int steps, int height = 2)
 {
@@ -303,7 +305,10 @@ inline Mesh disc(unsigned rings, double radius = 1.)
   const unsigned n = 6 * rings;
   for(unsigned j = 1; j <= rings; ++j)
     for(unsigned i = 0; i < n; ++i)
-      mesh.add_vertex(Point(radius * j / rings * std::cos(2. * CGAL_PI * i / n), radius * j / rings * std::sin(2. * CGAL_PI * i / n), 0));
+    {
+      const double r = radius * j / rings, u = 2. * CGAL_PI * i / n;
+      mesh.add_vertex(Point(r * std::cos(u), r * std::sin(u), 0));
+    }
   const auto at = [&](unsigned i, unsigned j) { return Vertex(1 + (j - 1) * n + i % n); };
   for(unsigned i = 0; i < n; ++i)
   {

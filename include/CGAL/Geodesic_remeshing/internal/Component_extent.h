@@ -26,8 +26,8 @@ namespace internal {
 // How near to a line, in edge lengths, a curve may have samples: a row of samples on a line needs its own room.
 constexpr double room_beside_lines = .5;
 
-// A connected component of the input, as far as it matters for the number of vertices that it gets. Lengths and areas are those
-// of the metric.
+// A connected component of the input, as far as it matters for the number of vertices that it gets. Lengths and areas
+// are those of the metric.
 struct Extent
 {
   double area = 0., boundary = 0., sides_of_lines = 0.; // one on the boundary, else two
@@ -39,9 +39,8 @@ struct Extent
   std::size_t fewest() const
   {
     const std::ptrdiff_t loops = static_cast<std::ptrdiff_t>(boundary_loops);
-    std::size_t topology = fewest_vertices(euler_characteristic + loops);
-    topology = boundary_loops == 0 ? topology : (std::max)(topology - (std::min)(boundary_loops, topology), 3 * boundary_loops);
-    return (std::max)(topology, corners);
+    const std::size_t filled = fewest_vertices(euler_characteristic + loops);
+    return (std::max)({filled - (std::min)(boundary_loops, filled), 3 * boundary_loops, corners});
   }
 
   // That triangles with this edge length have: a vertex for each sqrt(3)/2 e^2, and half a vertex more for each
@@ -51,7 +50,8 @@ struct Extent
     return 2. * area / (std::sqrt(3.) * edge_length * edge_length) + .5 * boundary / edge_length;
   }
 
-  // The same for curves at this distance: where they end before a line there is a little more room than between rows of triangles.
+  // The same for curves at this distance: where they end before a line there is a little more room than between rows
+  // of triangles.
   double wanted_of_curves(double edge_length) const
   {
     const double rows = 2. / std::sqrt(3.) * room_beside_lines - .5;
@@ -149,8 +149,8 @@ double sum_of_wanted(const std::vector<Extent>& extents, const Wanted& wanted)
   return sum_over(extents, [&](const Extent& e) { return (std::max)(static_cast<double>(e.fewest()), wanted(e)); });
 }
 
-// The edge length at which the components together want this number of vertices: what small ones take more than their share
-// the others have less.
+// The edge length at which the components together want this number of vertices: what small ones take more than their
+// share the others have less.
 template <class Wanted>
 double edge_length_for(const std::vector<Extent>& extents, std::size_t vertices, const Wanted& wanted)
 {

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// What of the input the output has to follow (paper, section 6, on feature curves): lines that its edges cover and corners
-// that are among its vertices.
+// What of the input the output has to follow (paper, section 6, on feature curves): lines that its edges cover and
+// corners that are among its vertices.
 struct Constraints
 {
   std::vector<char> is_line;   // of an edge: on the boundary, a feature, constrained, or between two patches
@@ -29,7 +29,8 @@ struct Constraints
   bool empty() const { return !has_any(is_line) && !has_any(is_corner); }
 
 private:
-  static bool has_any(const std::vector<char>& marks) { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
+  static bool has_any(const std::vector<char>& marks)
+  { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
 };
 
 } // namespace internal

@@ -92,7 +92,8 @@ private:
     if(m_lines.distance.empty())
       return infinity;
     const auto v = vertices_of(m_mesh, f);
-    return weights[0] * m_lines.distance[v[0]] + weights[1] * m_lines.distance[v[1]] + weights[2] * m_lines.distance[v[2]];
+    const auto& d = m_lines.distance;
+    return weights[0] * d[v[0]] + weights[1] * d[v[1]] + weights[2] * d[v[2]];
   }
 
   bool is_free(const Sample& sample, std::ptrdiff_t first_of_curve) const

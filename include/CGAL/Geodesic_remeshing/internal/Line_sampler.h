@@ -28,8 +28,8 @@ struct Line_samples
   std::vector<double> distance;   // of a vertex; empty where there are no lines
 };
 
-// Samples what the output has to follow before anything else (paper, section 6, on feature curves): the corners, and each line
-// between them at equal distances along it. What the curves bring keeps away from these.
+// Samples what the output has to follow before anything else (paper, section 6, on feature curves): the corners, and
+// each line between them at equal distances along it. What the curves bring keeps away from these.
 class Line_sampler
 {
 public:
@@ -94,12 +94,12 @@ private:
 
 inline std::vector<Line_piece> trace_lines(const Working_surface& working, const Constraints& constraints)
 {
-  return trace_lines(working.mesh, [&](Edge e) { return working.is_line[e]; },
-                     [&](Vertex v) { return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()]; });
+  const auto is_corner = [&](Vertex v) { return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()]; };
+  return trace_lines(working.mesh, [&](Edge e) { return working.is_line[e]; }, is_corner);
 }
 
-// Up to `farthest`, on a surface that is cut along the lines, so that a line is not near to what lies beyond another one or
-// on another sheet. The edges on lines are short enough for the distance from their vertices to do.
+// Up to `farthest`, on a surface that is cut along the lines, so that a line is not near to what lies beyond another
+// one or on another sheet. The edges on lines are short enough for the distance from their vertices to do.
 inline std::vector<double> distances_from_lines(const Mesh& cut, Fast_marching& marching, double farthest)
 {
   marching.clear();

@@ -121,8 +121,9 @@ Vertex_budget make_budget(const Target& target, const Working_surface& working, 
   const double edge_length = edge_length_for(extents, number, wanted);
   if constexpr(!std::is_same<Target, Number_of_faces>::value)
     spacing = edge_length;
+  const auto wanted_of_curves = [](const Extent& e, double edge_length) { return e.wanted_of_curves(edge_length); };
   return Vertex_budget{number, edge_length, lines.spacing_for(spacing, number),
-                       edge_length_for(extents, number, [](const Extent& e, double l) { return e.wanted_of_curves(l); })};
+                       edge_length_for(extents, number, wanted_of_curves)};
 }
 
 } // namespace internal

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Geodesic Voronoi cells of the samples and their dual (paper, section 6), for a strip of any topology: cells are grown
-// along the edges of the working surface, and each is contracted into its sample, edge by edge, under the link condition. A
-// contraction under that condition keeps the surface what it is, so the dual is a manifold of the same topology by
-// construction, without a look at what the strip is. Lines, of which the boundary is always one, are kept: their vertices are contracted along
-// them only, so that the samples on a line end up joined by edges along it.
+// Geodesic Voronoi cells of the samples and their dual (paper, section 6), for a strip of any topology: cells are
+// grown along the edges of the working surface, and each is contracted into its sample, edge by edge, under the link
+// condition. A contraction under that condition keeps the surface what it is, so the dual is a manifold of the same
+// topology by construction, without a look at what the strip is. Lines, of which the boundary is always one, are
+// kept: their vertices are contracted along them only, so that the samples on a line end up joined by edges along it.
 class Cell_contractor
 {
 public:
@@ -37,8 +37,8 @@ public:
   {}
 
   Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples, Line_map is_line)
-    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0), m_cell(mesh.number_of_vertices(), none),
-      m_mark(mesh.number_of_vertices(), none)
+    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0),
+      m_cell(mesh.number_of_vertices(), none), m_mark(mesh.number_of_vertices(), none)
   {
     for(Edge e : mesh.edges())
     {
@@ -49,8 +49,9 @@ public:
     grow_cells(samples);
   }
 
-  // Contracts all cells. A vertex that cannot go yet, since its contraction would pinch the surface, may go when others have
-  // gone: tried until nothing changes. Returns the vertices left over, where samples are too few for the topology.
+  // Contracts all cells. A vertex that cannot go yet, since its contraction would pinch the surface, may go when
+  // others have gone: tried until nothing changes. Returns the vertices left over, where samples are too few for the
+  // topology.
   std::vector<Vertex> run()
   {
     std::vector<Vertex> left = by_cell();
@@ -118,7 +119,8 @@ private:
     }
   }
 
-  // The vertices to contract, cell by cell, in each nearest to the sample first, so that all become its neighbours in turn
+  // The vertices to contract, cell by cell, in each nearest to the sample first, so that all become its neighbours in
+  // turn
   std::vector<Vertex> by_cell() const
   {
     std::vector<std::uint32_t> begin(m_mesh.number_of_vertices() + 1, 0);
@@ -225,8 +227,8 @@ private:
     return valence_is_three(h) && valence_is_three(m_mesh.opposite(h));
   }
 
-  // Removes the source of h and the faces of its edge, two or on the boundary one; the edges of the source become edges of the
-  // target.
+  // Removes the source of h and the faces of its edge, two or on the boundary one; the edges of the source become
+  // edges of the target.
   void remove_source(Halfedge h)
   {
     const Halfedge o = m_mesh.opposite(h);
@@ -247,7 +249,8 @@ private:
     m_mesh.remove_vertex(u);
   }
 
-  // Removes the face of a halfedge of the edge that goes, and of the face's other two edges the one at the vertex that goes
+  // Removes the face of a halfedge of the edge that goes, and of the face's other two edges the one at the vertex
+  // that goes
   void remove_side(Halfedge h, Halfedge kept, Halfedge gone)
   {
     if(m_mesh.is_border(h))

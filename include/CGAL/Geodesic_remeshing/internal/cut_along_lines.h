@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Cuts the working surface open along the lines inside it. Every line becomes a boundary, so that fronts and curves do not know
-// what is beyond (paper, section 6: nothing is triangulated across a feature). Faces and, of the vertices, the first of each
-// keep their numbers.
+// Cuts the working surface open along the lines inside it. Every line becomes a boundary, so that fronts and curves
+// do not know what is beyond (paper, section 6: nothing is triangulated across a feature). Faces and, of the
+// vertices, the first of each keep their numbers.
 class Line_cutter
 {
 public:
@@ -33,9 +33,12 @@ public:
   void run()
   {
     const std::size_t edges = m_mesh.number_of_edges();
-    for(std::size_t e = 0; e < edges; ++e)
-      if(m_cut.is_line[Edge(static_cast<Mesh::size_type>(e))] && !m_mesh.is_border(Edge(static_cast<Mesh::size_type>(e))))
-        open(m_mesh.halfedge(Edge(static_cast<Mesh::size_type>(e)), 1));
+    for(std::size_t i = 0; i < edges; ++i)
+    {
+      const Edge e(static_cast<Mesh::size_type>(i));
+      if(m_cut.is_line[e] && !m_mesh.is_border(e))
+        open(m_mesh.halfedge(e, 1));
+    }
     for(Halfedge h : m_mesh.halfedges())
       if(m_mesh.is_border(h))
         close_border(h);
@@ -56,7 +59,8 @@ private:
     m_cut.is_line[m_mesh.edge(g)] = true;
   }
 
-  // From a halfedge on the border around its target to the one that the border leaves by: what lies between has a vertex of its own.
+  // From a halfedge on the border around its target to the one that the border leaves by: what lies between has a
+  // vertex of its own.
   void close_border(Halfedge border)
   {
     Vertex v = m_mesh.target(border);
@@ -98,7 +102,8 @@ inline const Working_surface& cut_along_lines(const Working_surface& working, st
                                               Working_surface& cut)
 {
   const Mesh& mesh = working.mesh;
-  if(std::none_of(mesh.edges_begin(), mesh.edges_end(), [&](Edge e) { return working.is_line[e] && !mesh.is_border(e); }))
+  const auto is_inside = [&](Edge e) { return working.is_line[e] && !mesh.is_border(e); };
+  if(std::none_of(mesh.edges_begin(), mesh.edges_end(), is_inside))
     return working;
   cut.mesh = mesh;
   cut.place = *cut.mesh.property_map<Vertex, Place>("v:place");

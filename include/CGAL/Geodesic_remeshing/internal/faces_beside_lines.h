@@ -52,8 +52,8 @@ inline std::vector<std::size_t> pieces_between_lines(const Placed_mesh& remeshed
   return piece;
 }
 
-// Finds a face of the input that a face of the output lies upon: the one to which the way from a corner's place to the face's
-// centre points most.
+// Finds a face of the input that a face of the output lies upon: the one to which the way from a corner's place to
+// the face's centre points most.
 class Face_beneath
 {
 public:
@@ -63,8 +63,9 @@ public:
   std::pair<Face, double> at_corner(Face f, Vertex corner) const
   {
     const auto v = vertices_of(m_remeshed.mesh, f);
-    const Point& p = m_remeshed.mesh.point(corner);
-    const Vector way = centroid(m_remeshed.mesh.point(v[0]), m_remeshed.mesh.point(v[1]), m_remeshed.mesh.point(v[2])) - p;
+    const Mesh& mesh = m_remeshed.mesh;
+    const Point& p = mesh.point(corner);
+    const Vector way = centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])) - p;
     const Place& place = m_remeshed.place[corner];
     std::pair<Face, double> best(place.face, -2.);
     const auto consider = [&](Face g, const Vector& into)
@@ -109,7 +110,8 @@ private:
     if(m_surface.is_border(h))
       return;
     const Point& a = m_surface.point(m_surface.source(h));
-    const Vector along(a, m_surface.point(m_surface.target(h))), up(p, m_surface.point(m_surface.target(m_surface.next(h))));
+    const Vector along(a, m_surface.point(m_surface.target(h)));
+    const Vector up(p, m_surface.point(m_surface.target(m_surface.next(h))));
     const double length = along.squared_length();
     consider(m_surface.face(h), length > 0. ? up - (up * along / length) * along : up);
   }
@@ -118,11 +120,12 @@ private:
   const Placed_mesh& m_remeshed;
 };
 
-// For each piece between lines, a face of the input that has its patch. Inside a piece any place tells; where all its vertices lie on lines its
-// faces vote. `is_same_patch` compares two input faces.
+// For each piece between lines, a face of the input that has its patch. Inside a piece any place tells; where all its
+// vertices lie on lines its faces vote. `is_same_patch` compares two input faces.
 template <class IsSamePatch>
-std::vector<Face> faces_of_patches(const Mesh& surface, const Placed_mesh& remeshed, const std::vector<std::size_t>& piece,
-                                   std::size_t number, const IsSamePatch& is_same_patch)
+std::vector<Face> faces_of_patches(const Mesh& surface, const Placed_mesh& remeshed,
+                                   const std::vector<std::size_t>& piece, std::size_t number,
+                                   const IsSamePatch& is_same_patch)
 {
   const Face_beneath beneath(surface, remeshed);
   std::vector<std::vector<std::pair<Face, double>>> votes(number);

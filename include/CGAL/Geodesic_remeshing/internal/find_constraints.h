@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Normals of the faces. A face without area has that of the neighbour across its longest side, so that a crease beside it
-// is found where its other sides are.
+// Normals of the faces. A face without area has that of the neighbour across its longest side, so that a crease
+// beside it is found where its other sides are.
 inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
 {
   const Metric metric(mesh);
@@ -60,7 +60,8 @@ inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
   return normal;
 }
 
-// The edges at which the surface turns by at least this angle, as `Polygon_mesh_processing::detect_sharp_edges()` has it
+// The edges at which the surface turns by at least this angle, as `Polygon_mesh_processing::detect_sharp_edges()` has
+// it
 inline std::vector<char> find_sharp_edges(const Mesh& mesh, double angle_in_degrees)
 {
   const double bound = std::cos(angle_in_degrees * CGAL_PI / 180.);
@@ -77,8 +78,8 @@ inline std::vector<char> find_sharp_edges(const Mesh& mesh, double angle_in_degr
   return is_sharp;
 }
 
-// What an angle bound finds beside the features: spurs and specks shorter than the new edges, which could not show them. Only
-// what nobody has asked for is taken away; a spur gone may leave another one.
+// What an angle bound finds beside the features: spurs and specks shorter than the new edges, which could not show
+// them. Only what nobody has asked for is taken away; a spur gone may leave another one.
 inline void remove_specks(const Mesh& mesh, double edge_length, const std::vector<char>& is_given,
                           const std::vector<char>& is_kept_vertex, std::vector<char>& is_line)
 {
@@ -141,11 +142,11 @@ void mark_given_lines(const TriangleMesh& tmesh, const NamedParameters& np, cons
   }
 }
 
-// All that the output has to follow: the boundary, the features, the edges and vertices that the user has constrained, and the
-// borders of his patches.
+// All that the output has to follow: the boundary, the features, the edges and vertices that the user has
+// constrained, and the borders of his patches.
 template <class TriangleMesh, class NamedParameters>
-Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& np, const Input_surface<TriangleMesh>& input,
-                             double edge_length)
+Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& np,
+                             const Input_surface<TriangleMesh>& input, double edge_length)
 {
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;

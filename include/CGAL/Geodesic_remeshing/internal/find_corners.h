@@ -21,10 +21,11 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Finds the vertices at which lines turn so sharply that no row of samples could follow. That is a matter of scale: the border of
-// a scanned face turns at every vertex, and is smooth for long triangles. So a line turns where the chords on both sides,
-// half an edge length long, do; where its own edges turn too, less of that is enough. And a line of few long edges, as
-// machine parts have them, keeps their ends where there is room for samples between: it would lose more than a curve.
+// Finds the vertices at which lines turn so sharply that no row of samples could follow. That is a matter of scale:
+// the border of a scanned face turns at every vertex, and is smooth for long triangles. So a line turns where the
+// chords on both sides, half an edge length long, do; where its own edges turn too, less of that is enough. And a
+// line of few long edges, as machine parts have them, keeps their ends where there is room for samples between: it
+// would lose more than a curve.
 class Corner_finder
 {
 public:
@@ -84,7 +85,8 @@ private:
       m_candidates.push_back(Candidate{wide, i});
   }
 
-  // The angle between the chords from a reach before a point to it and from it to a reach beyond; with no reach, its edges'
+  // The angle between the chords from a reach before a point to it and from it to a reach beyond; with no reach, its
+  // edges'
   double turn_at(std::size_t i, double reach) const
   {
     const Vector before = m_points[i] - (reach > 0. ? point_at(m_position[i] - reach) : neighbour(i, false));
@@ -187,8 +189,8 @@ inline std::vector<double> angles_at_vertices(const Mesh& mesh)
   return angle;
 }
 
-// The tip of a cone is a feature of its own, where no line leads to it: here an angle of more than 90 degrees is missing. Of
-// several near to each other, as where a tip is many vertices at one point, the sharpest is one.
+// The tip of a cone is a feature of its own, where no line leads to it: here an angle of more than 90 degrees is
+// missing. Of several near to each other, as where a tip is many vertices at one point, the sharpest is one.
 inline void find_cone_tips(const Mesh& mesh, double edge_length, Constraints& constraints)
 {
   const std::vector<double> angle = angles_at_vertices(mesh);

@@ -21,13 +21,13 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Makes samples vertices of the working surface: a vertex nearby becomes the sample, or an edge or a face is split at it. Those on
-// lines become vertices of their line, the others never do.
+// Makes samples vertices of the working surface: a vertex nearby becomes the sample, or an edge or a face is split at
+// it. Those on lines become vertices of their line, the others never do.
 class Sample_inserter
 {
 public:
-  // Nearer than `snap`, in the metric, to a vertex, a sample takes that vertex over; its own place is kept, only the cells that are to
-  // be grown around it begin at the vertex.
+  // Nearer than `snap`, in the metric, to a vertex, a sample takes that vertex over; its own place is kept, only the
+  // cells that are to be grown around it begin at the vertex.
   Sample_inserter(const Mesh& surface, Working_surface& working, double snap)
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_squared_snap(snap * snap)
   {}
@@ -43,7 +43,8 @@ public:
     {
       const Sample& s = samples[i];
       const bool is_last_on_edge = i + 1 == samples.size() || samples[i + 1].line != s.line;
-      const Vertex v = s.vertex.is_valid() ? s.vertex : s.line.is_valid() ? insert_on_line(s, is_last_on_edge) : insert(s);
+      const Vertex v = s.vertex.is_valid() ? s.vertex
+                     : s.line.is_valid()   ? insert_on_line(s, is_last_on_edge) : insert(s);
       result.push_back(v);
       m_is_sample.resize(m_mesh.number_of_vertices(), 0);
       m_is_on_line.resize(m_mesh.number_of_vertices(), s.line.is_valid());
@@ -66,8 +67,8 @@ private:
         m_is_on_line[m_mesh.vertex(e, 0)] = m_is_on_line[m_mesh.vertex(e, 1)] = 1;
   }
 
-  // The samples come in their order along the line, so that after a split the halfedge is what is left up to its target. That
-  // vertex is taken over only by the last sample on the halfedge, or the order would change.
+  // The samples come in their order along the line, so that after a split the halfedge is what is left up to its
+  // target. That vertex is taken over only by the last sample on the halfedge, or the order would change.
   Vertex insert_on_line(const Sample& s, bool is_last_on_edge)
   {
     const auto is_near = [&](Vertex v)
@@ -79,8 +80,8 @@ private:
     return split_edge_at(m_working, m_input_metric, s.line, s.point, s.place);
   }
 
-  // Walks over the faces that the input face has been split into, to the one that holds the place. All of them are known by
-  // their corners' coordinates in the input face, so this is plane geometry.
+  // Walks over the faces that the input face has been split into, to the one that holds the place. All of them are
+  // known by their corners' coordinates in the input face, so this is plane geometry.
   Face locate(const Sample& s, std::array<double, 3>& weights) const
   {
     Face f = s.face;
@@ -140,10 +141,11 @@ private:
       return Vertex();
     const int low = static_cast<int>(std::min_element(weights.begin(), weights.end()) - weights.begin());
     const Halfedge side = halfedge_opposite_to(f, low);
-    if(weights[low] < .01 && m_working.is_line[m_mesh.edge(side)])
+    const bool is_line = m_working.is_line[m_mesh.edge(side)];
+    if(weights[low] < .01 && is_line)
       return Vertex(); // as good as on a line, where it does not belong
     // a split of the face near one of its edges would leave a sliver
-    return weights[low] < .1 && !m_working.is_line[m_mesh.edge(side)] ? split_edge(side, low, weights) : split_face(f, s);
+    return weights[low] < .1 && !is_line ? split_edge(side, low, weights) : split_face(f, s);
   }
 
   Halfedge halfedge_opposite_to(Face f, int corner) const

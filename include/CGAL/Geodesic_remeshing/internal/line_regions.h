@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Does the surface close to a tip around this vertex? On flat ground, too, fronts from a line meet, behind a hole for one; a sample
-// there would only disturb the rows. A tip misses an angle: here a tenth of a radian, at the vertices within the distance of two curves.
+// Does the surface close to a tip around this vertex? On flat ground, too, fronts from a line meet, behind a hole for
+// one; a sample there would only disturb the rows. A tip misses an angle: here a tenth of a radian, at the vertices
+// within the distance of two curves.
 inline bool is_pointed(const Mesh& mesh, Vertex tip, double curve_distance)
 {
   const double radius = curve_distance * (Metric(mesh).is_uniform() ? 1. : Metric(mesh).size(tip));
@@ -47,10 +48,12 @@ inline bool is_pointed(const Mesh& mesh, Vertex tip, double curve_distance)
   return !(missing < .1);
 }
 
-// A component whose front starts on a line is one region: its curves are arcs or loops at a whole part of its height, so that
-// between two parallel lines there are whole rows. Where fronts run into boundaries the segmentation has no rule.
-inline void add_line_regions(const std::vector<double>& distance, const std::vector<Vertex>& starts, const std::vector<Vertex>& vertices,
-                             const std::vector<std::size_t>& component_of, double curve_distance, Segmentation& result)
+// A component whose front starts on a line is one region: its curves are arcs or loops at a whole part of its height,
+// so that between two parallel lines there are whole rows. Where fronts run into boundaries the segmentation has no
+// rule.
+inline void add_line_regions(const std::vector<double>& distance, const std::vector<Vertex>& starts,
+                             const std::vector<Vertex>& vertices, const std::vector<std::size_t>& component_of,
+                             double curve_distance, Segmentation& result)
 {
   const std::size_t n = component_of.size();
   result.region.resize(n, -1);

@@ -30,8 +30,9 @@ namespace internal {
 
 // The small steps between the stages, so that the front door holds nothing but their order.
 
-// The root of each connected component (paper, section 4), and the distances from them on the working surface in `marching`. Where the
-// refinement has added many vertices the roots are sought on the surface as it came in: it costs less and finds the same.
+// The root of each connected component (paper, section 4), and the distances from them on the working surface in
+// `marching`. Where the refinement has added many vertices the roots are sought on the surface as it came in: it
+// costs less and finds the same.
 inline std::vector<Vertex> march_from_roots(const Mesh& surface, const Mesh& working, Fast_marching& marching)
 {
   if(working.number_of_vertices() <= 2 * surface.number_of_vertices())
@@ -64,8 +65,8 @@ struct Fronts_and_components
 };
 
 // Marches from roots in closed components, from lines in those with boundary.
-inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, const Mesh& mesh, const std::vector<char>& is_corner,
-                                                        Fast_marching& marching)
+inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, const Mesh& mesh,
+                                                        const std::vector<char>& is_corner, Fast_marching& marching)
 {
   Fronts_and_components result;
   std::size_t number;

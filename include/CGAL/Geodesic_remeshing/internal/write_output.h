@@ -67,7 +67,8 @@ void write_locations(const Input_surface<TriangleMesh>& input, const Placed_mesh
 
 // The patch of each face: an id of the input; or, if it has none, the number of the piece between lines
 template <class TriangleMesh, class NamedParametersIn>
-auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed, const NamedParametersIn& np_in)
+auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed,
+                      const NamedParametersIn& np_in)
 {
   std::size_t number;
   const std::vector<std::size_t> piece = pieces_between_lines(remeshed, number);
@@ -112,8 +113,9 @@ void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& r
   if constexpr(wants_patches)
   {
     const auto map = get_parameter(np_out, internal_np::face_patch);
+    using Patch = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
     for(const auto& f : copied.faces)
-      put(map, f.second, static_cast<typename boost::property_traits<std::decay_t<decltype(map)>>::value_type>(patches[f.first]));
+      put(map, f.second, static_cast<Patch>(patches[f.first]));
   }
 }
 
