@@ -82,7 +82,7 @@ inline int Defect_moves::sweep(const std::size_t depth)
   int total = 0;
   note_flips();
   for(Index v = 0; v < table_.vertex_slots(); ++v) {
-    if(table_.is_removed(v) || !remeshed_.is_irregular(v) || is_refused(v, depth))
+    if(table_.is_removed(v) || !remeshed_.energy().is_irregular(v) || is_refused(v, depth))
       continue;
     // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
     nodes_left_ = 40 * depth;
@@ -141,7 +141,7 @@ inline void Defect_moves::add(const Index h, const int most, const Index made, C
   if(table_.is_constrained(h) || candidates.size == candidates.list.size())
     return;
   const Index one = (std::min)(h, table_.opposite(h));
-  const int energy = remeshed_.energy_of_flip(one);
+  const int energy = remeshed_.energy().of_flip(one);
   if(energy > most || one == made)
     return;
   for(std::size_t i = 0; i < candidates.size; ++i)
@@ -154,10 +154,10 @@ inline void Defect_moves::add(const Index h, const int most, const Index made, C
 // many, and those opposite a vertex that has too few.
 inline void Defect_moves::collect(const Index v, const int most, const Index made, Candidates& candidates) const
 {
-  if(!remeshed_.is_irregular(v))
+  if(!remeshed_.energy().is_irregular(v))
     return;
   table_.for_each_outgoing(v, [&](const Index h) {
-    const int excess = remeshed_.excess_at(h);
+    const int excess = remeshed_.energy().excess_at(h);
     if(excess != 0)
       add(excess > 0 ? h : Lean_triangulation::next(h), most, made, candidates);
   });

@@ -15,37 +15,20 @@
 #include <CGAL/Geodesic_remeshing/internal/Line_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/Valence_energy.h>
+#include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-// The badness of a triangle is the squared cotangent of its smallest angle: it grows as the angle shrinks and costs one
-// division and no root. That of a triangle turned against the surface is above that of any other.
-constexpr double turned_badness = 1e15, worst_badness = 1e12;
-
-inline double badness_of_angle(const double degrees)
-{
-  return CGAL::square(1. / std::tan(degrees * (CGAL_PI / 180.)));
-}
-
-// The worse of two sets of triangles is that with more turned ones, then that with the smaller angle.
-inline double add_badness(const double x, const double y)
-{
-  return y >= turned_badness ? x + y : (std::max)(x, y);
-}
 
 // The triangulation under improvement: its connectivity, and for each vertex its place on the surface with the point and
 // the surface's normal there. Vertices move by walking only; so they are on the surface at any time. Those on lines slide.
@@ -59,11 +42,15 @@ public:
   Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
                    const Mesh::Property_map<Vertex, Place>& place, const Mesh::Property_map<Vertex, bool>& pinned,
                    const Mesh::Property_map<Edge, bool>& constrained);
+  Remeshed_surface(const Remeshed_surface&) = delete;
+  Remeshed_surface& operator=(const Remeshed_surface&) = delete;
 
   const Surface_walker& walker() const { return walker_; }
   const Metric& metric() const { return metric_; }         // of the input
   Lean_triangulation& connectivity() { return connectivity_; }
   const Lean_triangulation& connectivity() const { return connectivity_; }
+  Valence_energy& energy() { return energy_; }
+  const Valence_energy& energy() const { return energy_; }
 
   // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere.
   bool is_fixed(const Index v) const { return pinned_[v]; }
@@ -82,7 +69,7 @@ public:
   Spot spot_at_vertex(Index x) const;           // of the input
   Spot spot_on_line(const Place& place) const
   {
-    return {walker_.point(place), place, normal_on_line(place), metric_.size(place)};
+    return {walker_.point(place), place, walker_.normal_on_line(place), metric_.size(place)};
   }
   bool find_middle(Index h, Spot& middle) const;  // of an edge, on its line if it is on one
   void pin(const Index v)
@@ -115,31 +102,7 @@ public:
     });
   }
 
-  // How far the valence is from the regular one. Its square summed over the vertices is the energy that flips, collapses
-  // and splits lower; what one of them would add to it needs no trial. Two of valence 5 have less of it than one of
-  // valence 4; where the irregular vertices cannot vanish, flips merge them if their number counts rather than the squares.
-  // Lines divide the ring of a vertex into sectors, each with a regular number of faces and an excess of its own.
-  int excess_at(const Index h) const   // of the sector of face(h) at source(h)
-  {
-    const Index v = connectivity_.source(h);
-    return is_on_line(v) ? excess_in_sector(h) : static_cast<int>(connectivity_.valence(v)) - 6;
-  }
-  bool is_irregular(Index v) const;
-  void let_numbers_count(const bool value) { do_numbers_count_ = value; }
-  int energy_of_flip(Index h) const;
-  int energy_of_collapse(Index h) const;
-  int energy_of_edge_split(Index h) const;
-
-  void write_back(Mesh& mesh, Mesh::Property_map<Vertex, Place> place,
-                  Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained) const;
-
 private:
-  static double badness(double x, double y, double z, double area);
-  int energy(int excess) const;
-  int energy_of_half_collapse(Index h) const;
-  int excess_in_sector(Index h) const;
-  void count_regular_faces(Index v);
-  Vector normal_on_line(const Place& place) const;
   bool is_turned(const Spot& u, const Spot& v, const Spot& w, const Vector& normal) const
   {
     // Against the mean normal: at a crease a single one may point anywhere.
@@ -147,20 +110,18 @@ private:
     return side < 0. || (has_lines_ && !(side > 0.) && is_turned_between_lines({{&u, &v, &w}}, normal));
   }
   bool is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const;
-  void write_faces(Mesh& mesh, const std::vector<Vertex>& vertex, Mesh::Property_map<Edge, bool> constrained) const;
 
   const Surface_walker& walker_;
   const Metric metric_;
   const Line_walker lines_;
   const bool has_lines_;
   Lean_triangulation connectivity_;
+  Valence_energy energy_;
   std::vector<Spot> spots_;
   std::vector<char> pinned_;
   std::vector<Index> pinned_here_;
-  std::vector<Index> first_sector_;            // of a vertex: the first of its entries in `regular_faces_`, or `none`
-  std::vector<int> regular_faces_;             // a sector, counterclockwise from the vertex' first halfedge
   std::vector<std::pair<Index, Spot>> journal_;
-  bool is_recording_ = false, do_numbers_count_ = false;
+  bool is_recording_ = false;
 };
 
 inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
@@ -168,22 +129,20 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
                                           const Mesh::Property_map<Vertex, bool>& pinned,
                                           const Mesh::Property_map<Edge, bool>& constrained)
   : walker_(walker), metric_(walker.surface()), lines_(walker, constraints), has_lines_(!lines_.empty())
-  , connectivity_(mesh, [&](const Edge e) { return constrained[e]; })
+  , connectivity_(mesh, [&](const Edge e) { return constrained[e]; }), energy_(connectivity_, has_lines_)
 {
   spots_.reserve(mesh.number_of_vertices());
   pinned_.reserve(mesh.number_of_vertices());
   for(const Vertex v : mesh.vertices()) {
     // A pinned vertex is a tip or a corner, where the normal of one face says nothing.
     const Vector normal = pinned[v] ? Vector(0., 0., 0.)
-                        : is_on_line(v) ? normal_on_line(place[v]) : walker.normal(place[v].face);
+                        : is_on_line(v) ? walker_.normal_on_line(place[v]) : walker.normal(place[v].face);
     spots_.push_back({walker.point(place[v]), place[v], normal, metric_.size(place[v])});
     pinned_.push_back(pinned[v]);
   }
-  if(has_lines_)
-    first_sector_.assign(mesh.number_of_vertices(), Lean_triangulation::none);
-  for(Index v = 0; v < first_sector_.size(); ++v)
+  for(Index v = 0; v < pinned_.size(); ++v)
     if(pinned_[v] && is_on_line(v))
-      count_regular_faces(v);
+      energy_.add_corner(v, [&](const Index w) { return spots_[w].point; });
 }
 
 inline Remeshed_surface::Spot Remeshed_surface::spot_after(const Index v, const Vector& displacement) const
@@ -215,8 +174,6 @@ inline void Remeshed_surface::reserve_free(const Index number_of_splits)
   connectivity_.reserve_free(number_of_splits);
   spots_.resize(connectivity_.vertex_slots());
   pinned_.resize(connectivity_.vertex_slots(), false);
-  if(has_lines_)
-    first_sector_.resize(connectivity_.vertex_slots(), Lean_triangulation::none);
 }
 
 inline void Remeshed_surface::undo_to(const Mark mark)
@@ -233,14 +190,6 @@ inline void Remeshed_surface::forget()
   is_recording_ = false;
 }
 
-// Of a triangle by the squares of its edges and of twice its area.
-inline double Remeshed_surface::badness(const double x, const double y, const double z, const double area)
-{
-  // The smallest angle is opposite the shortest edge; the scalar product there is (sum of squares)/2 - shortest square.
-  const double product = (x + y + z) / 2. - (std::min)((std::min)(x, y), z);
-  return product * product < worst_badness * area ? product * product / area : worst_badness;
-}
-
 inline double Remeshed_surface::badness(const Index u, const Index v, const Index w) const
 {
   const Spot &s = spots_[u], &t = spots_[v], &r = spots_[w];
@@ -248,7 +197,7 @@ inline double Remeshed_surface::badness(const Index u, const Index v, const Inde
   const Vector normal = cross_product(a, b);
   if(is_turned(s, t, r, normal))
     return turned_badness;
-  return badness(a.squared_length(), b.squared_length(), c.squared_length(), normal.squared_length());
+  return triangle_badness(a.squared_length(), b.squared_length(), c.squared_length(), normal.squared_length());
 }
 
 // As `badness()` of each triangle; but what one shares with the next is computed once: of all that is asked here this is
@@ -265,7 +214,7 @@ inline double Remeshed_surface::ring_badness(const Index v, const Spot& spot, co
     const Vector b = next->point - spot.point, normal = cross_product(a, b);
     const double y = b.squared_length(), z = CGAL::squared_distance(next->point, last->point);
     sum = add_badness(sum, is_turned(spot, *last, *next, normal) ? turned_badness
-                                                                 : badness(x, y, z, normal.squared_length()));
+                                                                 : triangle_badness(x, y, z, normal.squared_length()));
     last = next;
     a = b;
     x = y;
@@ -293,109 +242,6 @@ inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
   Vector along(0., 0., 0.);
   for_each_neighbor_on_line(v, [&](const Index w) { along = along + .5 * way_to(w); });
   return .5 * (way + along);
-}
-
-inline int Remeshed_surface::energy(const int excess) const
-{
-  // A vertex of valence 4 counts less than two of valence 5, one of valence 8 as much as two of valence 7.
-  constexpr std::array<int, 5> counting = {{7, 4, 0, 4, 8}};
-  return do_numbers_count_ && std::abs(excess) <= 2 ? counting[excess + 2] : 3 * excess * excess;
-}
-
-inline int Remeshed_surface::energy_of_flip(const Index h) const
-{
-  const Index o = connectivity_.opposite(h);
-  const int a = excess_at(h), b = excess_at(o);
-  const int c = excess_at(Lean_triangulation::previous(h)), d = excess_at(Lean_triangulation::previous(o));
-  return energy(a - 1) - energy(a) + energy(b - 1) - energy(b) + energy(c + 1) - energy(c) + energy(d + 1) - energy(d);
-}
-
-inline int Remeshed_surface::energy_of_collapse(const Index h) const
-{
-  const Index o = connectivity_.opposite(h);
-  if(connectivity_.is_constrained(h))
-    return energy_of_half_collapse(h) + (o == Lean_triangulation::none ? 0 : energy_of_half_collapse(o));
-  const int a = excess_at(h), b = excess_at(o);
-  const int c = excess_at(Lean_triangulation::previous(h)), d = excess_at(Lean_triangulation::previous(o));
-  return (a + b + 2) * (a + b + 2) - a * a - b * b + 2 - 2 * c - 2 * d;
-}
-
-// That of one side of a line
-inline int Remeshed_surface::energy_of_half_collapse(const Index h) const
-{
-  const int a = excess_at(h), b = excess_at(Lean_triangulation::next(h)), c = excess_at(Lean_triangulation::previous(h));
-  return (a + b + 1) * (a + b + 1) - a * a - b * b + 1 - 2 * c;
-}
-
-// A new vertex on a line has two faces on each side where three are regular; another has four where six are.
-inline int Remeshed_surface::energy_of_edge_split(const Index h) const
-{
-  const Index o = connectivity_.opposite(h);
-  const int c = 1 + 2 * excess_at(Lean_triangulation::previous(h));
-  const int d = o == Lean_triangulation::none ? 0 : 1 + 2 * excess_at(Lean_triangulation::previous(o));
-  return c + d + (!connectivity_.is_constrained(h) ? 4 : o == Lean_triangulation::none ? 1 : 2);
-}
-
-inline int Remeshed_surface::excess_in_sector(const Index h) const
-{
-  const Index v = connectivity_.source(h), first = connectivity_.halfedge(v);
-  Index sector = 0;
-  int faces = 0;
-  bool is_found = false;
-  Index g = first;
-  do {
-    if(connectivity_.is_constrained(g) && g != first) {
-      if(is_found)
-        break;
-      ++sector;
-      faces = 0;
-    }
-    ++faces;
-    is_found = is_found || g == h;
-    g = connectivity_.rotate(g);
-  } while(g != first && g != Lean_triangulation::none);
-  return faces - (first_sector_[v] == Lean_triangulation::none ? 3 : regular_faces_[first_sector_[v] + sector]);
-}
-
-inline bool Remeshed_surface::is_irregular(const Index v) const
-{
-  bool result = false;
-  if(!is_on_line(v))
-    return excess_at(connectivity_.halfedge(v)) != 0;
-  connectivity_.for_each_outgoing(v, [&](const Index h) { result = result || excess_in_sector(h) != 0; });
-  return result;
-}
-
-// At a corner as many faces are regular in a sector as make its angle's parts nearest to 60 degrees.
-inline void Remeshed_surface::count_regular_faces(const Index v)
-{
-  const Index first = connectivity_.halfedge(v);
-  first_sector_[v] = static_cast<Index>(regular_faces_.size());
-  std::vector<double> angles;
-  connectivity_.for_each_outgoing(v, [&](const Index h) {
-    if(h == first || connectivity_.is_constrained(h))
-      angles.push_back(0.);
-    const Vector a = spots_[connectivity_.target(h)].point - spots_[v].point;
-    const Vector b = spots_[connectivity_.apex(h)].point - spots_[v].point;
-    angles.back() += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
-  });
-  // Right angles are common and as good in one part as in two; two it is, whatever the rounding.
-  for(const double angle : angles)
-    regular_faces_.push_back((std::max)(1, static_cast<int>(angle * 3. / CGAL_PI + .51)));
-}
-
-// None where the faces that meet there look different ways.
-inline Vector Remeshed_surface::normal_on_line(const Place& place) const
-{
-  constexpr double least_cosine = .7;
-  Vector sum(0., 0., 0.);
-  walker_.for_each_face_at(place, [&](const Face f) { sum = sum + walker_.normal(f); });
-  const double length = std::sqrt(sum.squared_length());
-  bool is_smooth = length > 0.;
-  walker_.for_each_face_at(place, [&](const Face f) {
-    is_smooth = is_smooth && walker_.normal(f) * sum >= least_cosine * length;
-  });
-  return is_smooth ? sum / length : Vector(0., 0., 0.);
 }
 
 // A face between creases is one of a side of each: it is turned if at one of its corners no side looks its way.
@@ -435,61 +281,6 @@ inline bool Remeshed_surface::find_middle(const Index h, Spot& middle) const
     }
   });
   return least < infinity;
-}
-
-inline void Remeshed_surface::write_back(Mesh& mesh, Mesh::Property_map<Vertex, Place> place,
-                                         Mesh::Property_map<Vertex, bool> pinned,
-                                         Mesh::Property_map<Edge, bool> constrained) const
-{
-  mesh.clear_without_removing_property_maps();
-  std::vector<Vertex> vertex(connectivity_.vertex_slots());
-  for(Index v = 0; v < connectivity_.vertex_slots(); ++v) {
-    if(connectivity_.is_removed(v))
-      continue;
-    vertex[v] = mesh.add_vertex(point_at(walker_.surface(), spots_[v].place));
-    place[vertex[v]] = spots_[v].place;
-    pinned[vertex[v]] = pinned_[v];
-  }
-  write_faces(mesh, vertex, constrained);
-}
-
-// Sets the links one by one: `add_face()` would have to find out what is known here.
-inline void Remeshed_surface::write_faces(Mesh& mesh, const std::vector<Vertex>& vertex,
-                                          Mesh::Property_map<Edge, bool> constrained) const
-{
-  const Lean_triangulation& table = connectivity_;
-  std::vector<Halfedge> halfedge(4 * table.face_slots());
-  const auto for_each_halfedge = [&](const auto& visit) {
-    for(Index f = 0; f < table.face_slots(); ++f)
-      for(Index h = 4 * f; h < 4 * f + 3 && !table.is_removed_face(f); ++h)
-        visit(h);
-  };
-  for_each_halfedge([&](const Index h) {
-    const Index o = table.opposite(h);
-    halfedge[h] = o < h ? mesh.opposite(halfedge[o]) : mesh.add_edge(vertex[table.source(h)], vertex[table.target(h)]);
-    constrained[mesh.edge(halfedge[h])] = table.is_constrained(h);
-  });
-  for(Index f = 0; f < table.face_slots(); ++f) {
-    if(table.is_removed_face(f))
-      continue;
-    const Face face = mesh.add_face();
-    mesh.set_halfedge(face, halfedge[4 * f]);
-    for(Index h = 4 * f; h < 4 * f + 3; ++h) {
-      mesh.set_face(halfedge[h], face);
-      mesh.set_next(halfedge[h], halfedge[Lean_triangulation::next(h)]);
-      mesh.set_halfedge(vertex[table.target(h)], halfedge[h]);
-    }
-  }
-  // The boundary runs against the halfedges that have no opposite; it is what a vertex of it points to.
-  for_each_halfedge([&](const Index h) {
-    if(table.opposite(h) != Lean_triangulation::none)
-      return;
-    Index last = Lean_triangulation::previous(h);
-    while(table.opposite(last) != Lean_triangulation::none)
-      last = Lean_triangulation::previous(table.opposite(last));
-    mesh.set_next(mesh.opposite(halfedge[h]), mesh.opposite(halfedge[last]));
-    mesh.set_halfedge(vertex[table.source(h)], mesh.opposite(halfedge[h]));
-  });
 }
 
 } // namespace internal

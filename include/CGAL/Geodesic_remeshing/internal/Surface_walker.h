@@ -44,6 +44,8 @@ public:
 
   // Unit normal of a face; that of a neighbour for a face without area; zero where there is none.
   const Vector& normal(const Face f) const { return normals_[f]; }
+  // That of a place on a line, zero where the faces that meet there look different ways.
+  Vector normal_on_line(const Place& place) const;
   Point point(const Place& place) const;
   const Mesh& surface() const { return surface_; }
   const Lean_triangulation& triangulation() const { return triangulation_; }   // its constrained edges are the lines
@@ -148,6 +150,17 @@ template <class Visit> void Surface_walker::for_each_face_at(const Place& place,
   const Index corner = c[0] > 0. ? 0 : c[1] > 0. ? 1 : 2;
   triangulation_.for_each_outgoing(triangulation_.source(4 * f + corner),
                                    [&](const Index h) { visit(Face(Lean_triangulation::face(h))); });
+}
+
+inline Vector Surface_walker::normal_on_line(const Place& place) const
+{
+  constexpr double least_cosine = .7;
+  Vector sum(0., 0., 0.);
+  for_each_face_at(place, [&](const Face f) { sum = sum + normal(f); });
+  const double length = std::sqrt(sum.squared_length());
+  bool is_smooth = length > 0.;
+  for_each_face_at(place, [&](const Face f) { is_smooth = is_smooth && normal(f) * sum >= least_cosine * length; });
+  return is_smooth ? sum / length : Vector(0., 0., 0.);
 }
 
 // The displacement as the change of the barycentric coordinates.

@@ -126,7 +126,7 @@ inline void Vertex_count::find_collapses()
       const Index v = table_.source(h), w = table_.target(h);
       const bool is_line = table_.is_constrained(h);
       if(is_line ? !remeshed_.is_fixed(w) : remeshed_.is_free(w))
-        changes_.push_back({remeshed_.energy_of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.), h,
+        changes_.push_back({remeshed_.energy().of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.), h,
                             Lean_triangulation::none});
     }
   }
@@ -145,8 +145,8 @@ inline void Vertex_count::find_splits()
     for(int i = 0; i < half; ++i)
       across = table_.rotate(across);
     table_.for_each_outgoing(v, [&](const Index h) {
-      const double cost = 2. * (remeshed_.excess_at(Lean_triangulation::next(h)) +
-                                remeshed_.excess_at(Lean_triangulation::next(across)));
+      const double cost = 2. * (remeshed_.energy().excess_at(Lean_triangulation::next(h)) +
+                                remeshed_.energy().excess_at(Lean_triangulation::next(across)));
       best = (std::min)(best, Change{cost, h, across});
       size += size_cost(v, table_.target(h));
       across = table_.rotate(across);
@@ -167,7 +167,7 @@ inline void Vertex_count::find_edge_splits()
     if(!remeshed_.is_on_line(v) || !remeshed_.is_on_line(w))
       continue;
     const double size = size_cost(v, w), last = table_.is_constrained(h) ? last_resort : .5 * last_resort;
-    changes_.push_back({remeshed_.energy_of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});
+    changes_.push_back({remeshed_.energy().of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});
   }
 }
 

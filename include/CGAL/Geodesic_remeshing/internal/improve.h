@@ -22,6 +22,7 @@
 #include <CGAL/Geodesic_remeshing/internal/quadric_relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/internal/write_back.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -123,7 +124,7 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
       return false;
     planes = recover_tips(remeshed, tolerance);
     remeshed.release();
-    remeshed.let_numbers_count(true);
+    remeshed.energy().let_numbers_count(true);
     if(!remove_defects(remeshed, 8, planes, [&](const double progress) { return go_on(.5 + .5 * progress); }))
       return false;
   }
@@ -168,7 +169,7 @@ void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> p
     Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
   else
     improve(remeshed, parameters, go_on);
-  remeshed.write_back(out, place, pinned, constrained);
+  write_back(remeshed, out, place, pinned, constrained);
 }
 
 } // namespace internal

@@ -68,7 +68,7 @@ inline bool is_flip_better(const Remeshed_surface& remeshed, const Lean_triangul
 {
   static const double mendable = badness_of_angle(15.);
   const Lean_triangulation& table = remeshed.connectivity();
-  const int energy = remeshed.energy_of_flip(h);
+  const int energy = remeshed.energy().of_flip(h);
   if(energy > 0 || !table.is_flip_legal(h))
     return false;
   const auto a = table.source(h), b = table.target(h), c = table.apex(h), d = table.apex(table.opposite(h));
