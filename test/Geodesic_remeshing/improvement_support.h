@@ -45,14 +45,17 @@ private:
 
 // columns x rows quadrilaterals, each cut in two; point(i, j); closed in one or both directions or not at all.
 template <class Point_of>
-inline Mesh grid(const std::size_t columns, const std::size_t rows, const bool close_i, const bool close_j, const Point_of& point)
+Mesh grid(const std::size_t columns, const std::size_t rows, const bool close_i, const bool close_j,
+          const Point_of& point)
 {
   Mesh mesh;
   const std::size_t m = close_i ? columns : columns + 1, n = close_j ? rows : rows + 1;
   for(std::size_t j = 0; j < n; ++j)
     for(std::size_t i = 0; i < m; ++i)
       mesh.add_vertex(point(static_cast<double>(i), static_cast<double>(j)));
-  const auto at = [&](const std::size_t i, const std::size_t j) { return Vertex(static_cast<Index>(j % n * m + i % m)); };
+  const auto at = [&](const std::size_t i, const std::size_t j) {
+    return Vertex(static_cast<Index>(j % n * m + i % m));
+  };
   for(std::size_t j = 0; j < rows; ++j)
     for(std::size_t i = 0; i < columns; ++i) {
       mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
@@ -94,11 +97,14 @@ inline Mesh sphere(const std::size_t n)
   for(std::size_t k = 1; k < n; k *= 2) {
     Mesh finer;
     std::vector<Vertex> middle(mesh.number_of_edges());
-    const auto on_sphere = [](const Point& p) { return CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length()); };
+    const auto on_sphere = [](const Point& p) {
+      return CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length());
+    };
     for(const Vertex w : mesh.vertices())
       finer.add_vertex(mesh.point(w));
     for(const Edge e : mesh.edges())
-      middle[e] = finer.add_vertex(on_sphere(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+      middle[e] = finer.add_vertex(on_sphere(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)),
+                                                            mesh.point(mesh.vertex(e, 1)))));
     for(const Face f : mesh.faces()) {
       const Halfedge h = mesh.halfedge(f);
       const auto p = vertices_of(mesh, f);
@@ -144,7 +150,8 @@ inline Constraints constraints_of(const Mesh& surface)
     const auto v = vertices_of(surface, f);
     return CGAL::unit_normal(surface.point(v[0]), surface.point(v[1]), surface.point(v[2]));
   };
-  Constraints constraints{std::vector<char>(surface.number_of_edges(), 0), std::vector<char>(surface.number_of_vertices(), 0)};
+  Constraints constraints{std::vector<char>(surface.number_of_edges(), 0),
+                          std::vector<char>(surface.number_of_vertices(), 0)};
   for(const Edge e : surface.edges())
     constraints.is_line[e] = surface.is_border(e) || normal(surface.face(surface.halfedge(e, 0))) *
                                                      normal(surface.face(surface.halfedge(e, 1))) < .766;

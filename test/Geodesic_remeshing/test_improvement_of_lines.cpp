@@ -62,8 +62,8 @@ bool is_on_line(const Mesh& surface, const Constraints& constraints, const Place
   return carrying.size() == 2 && constraints.is_line[surface.edge(surface.halfedge(carrying[0], carrying[1]))];
 }
 
-// Lines of straight pieces between corners: covered exactly, once, by constrained edges; faces on flat sides add up to the area
-// only if none is turned.
+// Lines of straight pieces between corners: covered exactly, once, by constrained edges; faces on flat sides add up to
+// the area only if none is turned.
 void expect_kept(const Mesh& surface, const Constraints& constraints, const Start& start, const bool is_flat)
 {
   expect_valid(surface, start);
@@ -125,10 +125,13 @@ Mesh roof(const std::size_t n, const double steepness)
 // A square crossed by two lines, of which one does not reach the boundary on its one side.
 Constraints crossing_lines(const Mesh& square, const double middle, const double end)
 {
-  Constraints constraints{std::vector<char>(square.number_of_edges(), 0), std::vector<char>(square.number_of_vertices(), 0)};
+  Constraints constraints{std::vector<char>(square.number_of_edges(), 0),
+                          std::vector<char>(square.number_of_vertices(), 0)};
   for(const Edge e : square.edges()) {
     const Point p = square.point(square.vertex(e, 0)), q = square.point(square.vertex(e, 1));
-    const auto is_both = [&](const double x, const double y) { return std::abs(x - middle) + std::abs(y - middle) < 1e-9; };
+    const auto is_both = [&](const double x, const double y) {
+      return std::abs(x - middle) + std::abs(y - middle) < 1e-9;
+    };
     constraints.is_line[e] = square.is_border(e) || is_both(p.x(), q.x()) ||
                              (is_both(p.y(), q.y()) && (std::max)(p.x(), q.x()) <= end);
   }
@@ -288,7 +291,8 @@ TEST(Line_walker, closed_line)
     Place place = on_rim(i);
     for(int step = 0; step < 3; ++step)
       place = lines.slide(place, .25 * along);
-    EXPECT_NEAR(CGAL::squared_distance(walker.point(place), surface.point(Vertex(i))), CGAL::square(.75 * edge), 1e-9) << i;
+    const double squared_way = CGAL::squared_distance(walker.point(place), surface.point(Vertex(i)));
+    EXPECT_NEAR(squared_way, CGAL::square(.75 * edge), 1e-9) << i;
   }
 }
 

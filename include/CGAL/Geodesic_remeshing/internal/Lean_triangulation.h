@@ -29,8 +29,8 @@ namespace internal {
 // hence `next()` needs neither memory nor division. A halfedge of the boundary has no opposite. Every change can be
 // recorded in a journal and taken back: a search may try thousands of sequences of changes and keep none.
 //
-// Edges may be constrained: those that cover a line, of which the boundary is one. Flips, collapses and splits keep the lines
-// what they are: their edges are shortened or divided along them, and never leave them.
+// Edges may be constrained: those that cover a line, of which the boundary is one. Flips, collapses and splits keep the
+// lines what they are: their edges are shortened or divided along them, and never leave them.
 class Lean_triangulation
 {
 public:
@@ -53,8 +53,8 @@ public:
 
   bool is_constrained(const Index h) const { return (field_[across][h | 3] >> (h & 3) & 1) != 0; }
 
-  // The outgoing halfedges of a vertex, counterclockwise: starts at halfedge(v), ends at `none` (boundary) or there again.
-  // The first is that of the boundary, where there is one; else a constrained one, where there is one.
+  // The outgoing halfedges of a vertex, counterclockwise: starts at halfedge(v), ends at `none` (boundary) or there
+  // again. The first is that of the boundary, where there is one; else a constrained one, where there is one.
   Index halfedge(const Index v) const { return field_[outgoing][v]; }
   Index rotate(const Index h) const { return opposite(previous(h)); }
 
@@ -108,15 +108,16 @@ public:
     return number;
   }
 
-  // Flips that make double edges or a vertex with less than three neighbours (two at the boundary) are not legal, nor are
-  // those of constrained edges.
+  // Flips that make double edges or a vertex with less than three neighbours (two at the boundary) are not legal, nor
+  // are those of constrained edges.
   bool is_flip_legal(Index h) const;
   Index flip(Index h);             // returns a halfedge of the new edge
   // A vertex on a line disappears only along it and where it does not end or branch; two lines never become one.
   bool is_collapse_legal(Index h) const;
   void collapse(Index h);          // target(h) disappears
-  // The inverse of a collapse of an inner vertex: the new vertex takes over the faces of v counterclockwise from h1 to h2, outgoing
-  // halfedges of an inner vertex v with at least one halfedge between them; source(h1) and the new vertex become neighbours.
+  // The inverse of a collapse of an inner vertex: the new vertex takes over the faces of v counterclockwise from h1 to
+  // h2, outgoing halfedges of an inner vertex v with at least one halfedge between them; source(h1) and the new vertex
+  // become neighbours.
   Index split(Index h1, Index h2);
   Index split_edge(Index h);       // a new vertex between source(h) and target(h)
 
@@ -147,7 +148,7 @@ private:
       set(across, h | 3, bits ^ bit);
   }
 
-  bool is_degree_left(const Index v, const Index least) const { return valence(v) > (is_border(v) ? least - 1 : least); }
+  bool is_degree_left(const Index v) const { return valence(v) > (is_border(v) ? 2u : 3u); }
   Index line_between(Index first, Index last) const;
   void merge_edges(Index x, Index y, bool is_line);
 

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The changes of a `Lean_triangulation`. In all of them the halfedges of an edge that stays may change, and take their marks
-// with them; the first halfedge of a vertex on a line stays that of the same line.
+// The changes of a `Lean_triangulation`. In all of them the halfedges of an edge that stays may change, and take their
+// marks with them; the first halfedge of a vertex on a line stays that of the same line.
 
 inline bool Lean_triangulation::is_flip_legal(const Index h) const
 {
@@ -25,7 +25,7 @@ inline bool Lean_triangulation::is_flip_legal(const Index h) const
   if(is_constrained(h))
     return false;
   const Index c = apex(h), d = apex(o);
-  return is_degree_left(source(h), 3) && is_degree_left(target(h), 3) && c != d && !are_neighbors(c, d);
+  return is_degree_left(source(h)) && is_degree_left(target(h)) && c != d && !are_neighbors(c, d);
 }
 
 inline Lean_triangulation::Index Lean_triangulation::flip(const Index h)
@@ -61,9 +61,9 @@ inline bool Lean_triangulation::is_collapse_legal(const Index h) const
   const bool is_at_boundary = o == none;
   if(is_on_line(b) && (!is_constrained(h) || line_degree(b) != 2))
     return false;
-  if(!is_degree_left(apex(h), 3) || (is_constrained(next(h)) && is_constrained(previous(h))))
+  if(!is_degree_left(apex(h)) || (is_constrained(next(h)) && is_constrained(previous(h))))
     return false;
-  if(!is_at_boundary && (!is_degree_left(apex(o), 3) || (is_constrained(next(o)) && is_constrained(previous(o)))))
+  if(!is_at_boundary && (!is_degree_left(apex(o)) || (is_constrained(next(o)) && is_constrained(previous(o)))))
     return false;
   if(valence(a) + valence(b) < (is_at_boundary ? 5 : 7))
     return false;

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Slides along the lines of a surface: features, boundary. A line runs through the input vertices where two of its edges
-// meet, from one end to the other or around; ends are corners and where another number of edges meet. A place on a line
-// has an exact zero for a coordinate and keeps it, so that straight lines stay covered exactly.
+// Slides along the lines of a surface: features, boundary. A line runs through the input vertices where two of its
+// edges meet, from one end to the other or around; ends are corners and where another number of edges meet. A place on
+// a line has an exact zero for a coordinate and keeps it, so that straight lines stay covered exactly.
 class Line_walker
 {
 public:
@@ -37,12 +37,13 @@ public:
 
   bool empty() const { return pieces_.empty(); }
 
-  // Along the projection of `displacement` to the line, for the projection's length; at most half the way to an end, where
-  // other vertices are. What is at an end stays.
+  // Along the projection of `displacement` to the line, for the projection's length; at most half the way to an end,
+  // where other vertices are. What is at an end stays.
   Place slide(const Place& from, const Vector& displacement) const;
 
-  // The middle of the way along a line from one place to another, which has no face if there is none. Of the two ways around
-  // a closed line that which `beside` is not on. Where `from` is an end `to` must be one too: then the shortest line between them.
+  // The middle of the way along a line from one place to another, which has no face if there is none. Of the two ways
+  // around a closed line that which `beside` is not on. Where `from` is an end `to` must be one too: then the shortest
+  // line between them.
   Place middle(const Place& from, const Place& to, const Place& beside) const;
 
 private:
@@ -67,7 +68,7 @@ private:
 
   const Surface_walker& walker_;
   const Lean_triangulation& table_;
-  std::vector<std::array<Index, 2>> incident_;   // of an input vertex: two halfedges of line edges; at an end the second is none
+  std::vector<std::array<Index, 2>> incident_;   // of an input vertex: halfedges of two line edges; of one at an end
   std::vector<Index> piece_of_;                  // of a halfedge
   std::vector<Piece> pieces_;
   std::vector<Line> lines_;

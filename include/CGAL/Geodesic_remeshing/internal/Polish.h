@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Betters the worst triangles, one by one: by moving their vertices to wherever the smallest angle around is largest, and
-// where that is not enough by flips, and by collapses and splits (of which the number of vertices tells; others are put in
-// or taken out elsewhere). Whatever makes the worst triangle around better is kept, whatever the valences; everything else taken back.
+// Betters the worst triangles, one by one: by moving their vertices to wherever the smallest angle around is largest,
+// and where that is not enough by flips, and by collapses and splits (of which the number of vertices tells; others are
+// put in or taken out elsewhere). Whatever makes the worst triangle around better is kept, whatever the valences;
+// everything else taken back.
 class Polish
 {
 public:

@@ -30,8 +30,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The triangulation under improvement: its connectivity, and for each vertex its place on the surface with the point and
-// the surface's normal there. Vertices move by walking only; so they are on the surface at any time. Those on lines slide.
+// The triangulation under improvement: its connectivity, and for each vertex its place on the surface with the point
+// and the surface's normal there. Vertices move by walking only; so they are on the surface at any time. Those on lines
+// slide.
 class Remeshed_surface
 {
 public:
@@ -124,8 +125,8 @@ private:
   bool is_recording_ = false;
 };
 
-inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
-                                          const Mesh::Property_map<Vertex, Place>& place,
+inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Constraints& constraints,
+                                          const Mesh& mesh, const Mesh::Property_map<Vertex, Place>& place,
                                           const Mesh::Property_map<Vertex, bool>& pinned,
                                           const Mesh::Property_map<Edge, bool>& constrained)
   : walker_(walker), metric_(walker.surface()), lines_(walker, constraints), has_lines_(!lines_.empty())
@@ -200,8 +201,8 @@ inline double Remeshed_surface::badness(const Index u, const Index v, const Inde
   return triangle_badness(a.squared_length(), b.squared_length(), c.squared_length(), normal.squared_length());
 }
 
-// As `badness()` of each triangle; but what one shares with the next is computed once: of all that is asked here this is
-// asked most often.
+// As `badness()` of each triangle; but what one shares with the next is computed once: of all that is asked here this
+// is asked most often.
 inline double Remeshed_surface::ring_badness(const Index v, const Spot& spot, const double limit) const
 {
   const Index first = connectivity_.halfedge(v);
@@ -226,9 +227,9 @@ inline double Remeshed_surface::ring_badness(const Index v, const Spot& spot, co
 inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
 {
   const Spot& spot = spots_[v];
-  // In units of the length that the edge is to have, so that all pull alike. Without, a sizing is kept more exactly: to 2 percent in
-  // place of 8 where it changes fourfold over a sphere. With, vertices gather where they are wanted: the RMS distance of
-  // sizings by curvature is 3 to 5 percent less.
+  // In units of the length that the edge is to have, so that all pull alike. Without, a sizing is kept more exactly: to
+  // 2 percent in place of 8 where it changes fourfold over a sphere. With, vertices gather where they are wanted: the
+  // RMS distance of sizings by curvature is 3 to 5 percent less.
   const auto way_to = [&](const Index w) {
     const Vector way = spots_[w].point - spot.point;
     return metric_.is_uniform() ? way : 2. * spot.size / (spot.size + spots_[w].size) * way;
@@ -245,7 +246,8 @@ inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
 }
 
 // A face between creases is one of a side of each: it is turned if at one of its corners no side looks its way.
-inline bool Remeshed_surface::is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const
+inline bool Remeshed_surface::is_turned_between_lines(const std::array<const Spot*, 3>& corners,
+                                                      const Vector& normal) const
 {
   for(const Spot* spot : corners) {
     bool is_seen = false;

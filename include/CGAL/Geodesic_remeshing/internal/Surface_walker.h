@@ -38,8 +38,9 @@ public:
 
   explicit Surface_walker(const Mesh& surface, const Constraints& constraints = Constraints());
 
-  // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends before the lines,
-  // of which the boundary is one, and after `maximum_number_of_crossings_` (a way around a degenerate vertex need not end).
+  // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends before the
+  // lines, of which the boundary is one, and after `maximum_number_of_crossings_` (a way around a degenerate vertex
+  // need not end).
   Place walk(const Place& from, const Vector& displacement) const;
 
   // Unit normal of a face; that of a neighbour for a face without area; zero where there is none.

@@ -25,10 +25,11 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// How far the valences are from the regular ones. The squares of this excess summed over the vertices are the energy that flips,
-// collapses and splits lower; what one of them would add to it needs no trial. Two vertices of valence 5 have less of it than
-// one of valence 4; where the irregular vertices cannot vanish, flips merge them if their number counts rather than the squares.
-// Lines divide the ring of a vertex into sectors, each with a regular number of faces and an excess of its own.
+// How far the valences are from the regular ones. The squares of this excess summed over the vertices are the energy
+// that flips, collapses and splits lower; what one of them would add to it needs no trial. Two vertices of valence 5
+// have less of it than one of valence 4; where the irregular vertices cannot vanish, flips merge them if their number
+// counts rather than the squares. Lines divide the ring of a vertex into sectors, each with a regular number of faces
+// and an excess of its own.
 class Valence_energy
 {
 public:
@@ -37,7 +38,8 @@ public:
   // Without lines in the triangulation nothing is asked about them.
   Valence_energy(const Lean_triangulation& table, const bool has_lines) : table_(table), has_lines_(has_lines) {}
 
-  // A vertex that stays where it is, with lines that need not go on straight. `point(v)` is asked for the angles around it.
+  // A vertex that stays where it is, with lines that need not go on straight. `point(v)` is asked for the angles around
+  // it.
   template <class Point_of> void add_corner(Index v, const Point_of& point);
   void let_numbers_count(const bool value) { do_numbers_count_ = value; }
 
@@ -110,7 +112,8 @@ inline int Valence_energy::of_collapse(const Index h) const
 // That of one side of a line
 inline int Valence_energy::of_half_collapse(const Index h) const
 {
-  const int a = excess_at(h), b = excess_at(Lean_triangulation::next(h)), c = excess_at(Lean_triangulation::previous(h));
+  const int a = excess_at(h), b = excess_at(Lean_triangulation::next(h));
+  const int c = excess_at(Lean_triangulation::previous(h));
   return (a + b + 1) * (a + b + 1) - a * a - b * b + 1 - 2 * c;
 }
 

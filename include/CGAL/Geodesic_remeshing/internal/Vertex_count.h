@@ -24,8 +24,8 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // Brings the number of vertices to the one asked for, by collapses and splits where they cost least regularity: at a
-// 5-7 pair they cost none (the pair moves over by one row), in a regular part they make new irregular vertices.
-// Among equals the shortest edges go, and the widest rings are divided. The vertices of lines have their own spacing: their
+// 5-7 pair they cost none (the pair moves over by one row), in a regular part they make new irregular vertices. Among
+// equals the shortest edges go, and the widest rings are divided. The vertices of lines have their own spacing: their
 // number changes only where they are too near or too far from each other, or if nothing else is left.
 class Vertex_count
 {
@@ -251,8 +251,8 @@ inline bool Vertex_count::split(const Index h, const Index other)
   return settle({{v, w, c, d}});
 }
 
-// Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come mend: of
-// little help is that to the vertices of lines, which cannot give way.
+// Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come
+// mend: of little help is that to the vertices of lines, which cannot give way.
 inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const bool is_line)
 {
   static const double mendable_inside = badness_of_angle(least_angle);

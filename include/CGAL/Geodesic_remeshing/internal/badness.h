@@ -10,7 +10,8 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_BADNESS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_BADNESS_H
 
-#include <CGAL/number_type_config.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
