@@ -60,7 +60,7 @@ private:
   const Point& input_point(const Index x) const { return remeshed_.walker().surface().point(Vertex(x)); }
   double ring_distance(Index x, Index v, double limit) const;
   bool is_tip(Index x) const;
-  Index vertex_to_send(Index x, Index v) const;
+  bool send_one_of(Index v, Index x);
   bool send(Index v, Index x);
 
   Remeshed_surface& remeshed_;
@@ -95,11 +95,12 @@ inline bool Tip_recovery::is_tip(const Index x) const
   return is_farthest;
 }
 
-// The nearest vertex v, or where that has to stay the nearest of its neighbours that need not.
-inline Tip_recovery::Index Tip_recovery::vertex_to_send(const Index x, const Index v) const
+// Sends the nearest vertex v or, where that has to stay or finds no good place, the nearest of its neighbours. To try more of them was
+// measured to keep no more tips, and to leave more intersections at small numbers of vertices.
+inline bool Tip_recovery::send_one_of(const Index v, const Index x)
 {
-  if(remeshed_.is_free(v))
-    return v;
+  if(remeshed_.is_free(v) && send(v, x))
+    return true;
   Index best = Lean_triangulation::none;
   double least = infinity;
   table_.for_each_neighbor(v, [&](const Index w) {
@@ -109,7 +110,7 @@ inline Tip_recovery::Index Tip_recovery::vertex_to_send(const Index x, const Ind
       best = w;
     }
   });
-  return best;
+  return best != Lean_triangulation::none && send(best, x);
 }
 
 inline bool Tip_recovery::send(const Index v, const Index x)
@@ -156,8 +157,7 @@ inline std::size_t Tip_recovery::run(const Nearest_vertices& nearest, const doub
       if(distance > limit(x))
         distance = (std::min)(distance, ring_distance(x, w, limit(x)));
     });
-    const Index v = distance > limit(x) ? vertex_to_send(x, nearest.vertex[x]) : Lean_triangulation::none;
-    if(v != Lean_triangulation::none && send(v, x))
+    if(distance > limit(x) && send_one_of(nearest.vertex[x], x))
       ++sent;
   }
   return sent;
