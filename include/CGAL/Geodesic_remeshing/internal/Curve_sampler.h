@@ -15,6 +15,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
 #include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample.h>
+#include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
 #include <algorithm>
@@ -37,9 +38,9 @@ public:
   Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
                 const Level_curves& curves, const Line_samples& lines, double edge_length, double spacing,
                 std::size_t expected)
-    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_metric(working.mesh),
+    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
       m_segmentation(segmentation), m_curves(curves), m_lines(lines),
-      m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected)
+      m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected), m_path(surface, working, lines)
   {
     m_samples.reserve(expected + expected / 8);
     m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
@@ -70,15 +71,6 @@ public:
   }
 
 private:
-  // A point of a polyline on the working surface
-  struct Path_point
-  {
-    Point point;
-    double density;
-    Halfedge halfedge;
-    double position;
-  };
-
   // ---- the single samples
 
   // A sample is refused where another is nearer than this: rows of samples where two curves almost touch only make needles.
@@ -86,15 +78,6 @@ private:
   double smallest_distance() const { return .5 * m_edge_length; }
 
   double smallest_distance_from_lines() const { return room_beside_lines * m_edge_length; }
-
-  double distance_from_lines(Face f, const std::array<double, 3>& weights) const
-  {
-    if(m_lines.distance.empty())
-      return infinity;
-    const auto v = vertices_of(m_mesh, f);
-    const auto& d = m_lines.distance;
-    return weights[0] * d[v[0]] + weights[1] * d[v[1]] + weights[2] * d[v[2]];
-  }
 
   bool is_free(const Sample& sample, std::ptrdiff_t first_of_curve) const
   {
@@ -128,48 +111,6 @@ private:
     add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), m_metric.size(v), is_pinned,
                m_segmentation.field_region[v], 0});
     return true;
-  }
-
-  Sample sample_between(const Path_point& a, const Path_point& b, double t, int region, int level) const
-  {
-    // both points lie on edges of the face of a's halfedge
-    const Face f = m_mesh.face(a.halfedge);
-    std::array<double, 3> weights = {{0., 0., 0.}};
-    const auto corners = vertices_of(m_mesh, f);
-    const auto put = [&](const Path_point& p, double w)
-    {
-      for(int i = 0; i < 3; ++i)
-        weights[i] += w * (corners[i] == m_mesh.source(p.halfedge) ? 1. - p.position
-                         : corners[i] == m_mesh.target(p.halfedge) ? p.position : 0.);
-    };
-    put(a, 1. - t);
-    put(b, t);
-    const Place place = place_on_input(m_surface, m_working, f, weights);
-    Sample sample{f, place, internal::point_at(m_surface, place), m_input_metric.size(place), false, region, level};
-    sample.distance_from_lines = distance_from_lines(f, weights);
-    return sample;
-  }
-
-  // ---- polylines
-
-  void set_path(const std::vector<Path_point>& path, bool is_closed)
-  {
-    m_path = path;
-    if(is_closed)
-      m_path.push_back(path.front());
-    m_length.assign(1, 0.);
-    for(std::size_t i = 1; i < m_path.size(); ++i)
-      m_length.push_back(m_length.back() + .5 * (m_path[i - 1].density + m_path[i].density)
-                                             * std::sqrt(CGAL::squared_distance(m_path[i - 1].point, m_path[i].point)));
-  }
-
-  Sample sample_at(double s, int region, int level) const
-  {
-    std::size_t i = std::upper_bound(m_length.begin(), m_length.end(), s) - m_length.begin();
-    i = (std::min)((std::max)(i, std::size_t(1)), m_length.size() - 1);
-    const double l = m_length[i] - m_length[i - 1];
-    const double t = l > 0. ? (std::min)(1., (std::max)(0., (s - m_length[i - 1]) / l)) : 0.;
-    return sample_between(m_path[i - 1], m_path[i], t, region, level);
   }
 
   // ---- bridges
@@ -206,28 +147,28 @@ private:
     if(cut_low)
     {
       const Halfedge h = m_mesh.halfedge(bridge[low - 1], bridge[low]);
-      path.push_back(on_edge(h, 1. - t_low));
+      path.push_back(m_path.on_edge(h, 1. - t_low));
     }
     for(std::size_t i = low; i < high; ++i)
-      path.push_back(on_edge(m_mesh.halfedge(bridge[i], bridge[i + 1]), 0.));
+      path.push_back(m_path.on_edge(m_mesh.halfedge(bridge[i], bridge[i + 1]), 0.));
     if(high > 0 && !cut_high)
-      path.push_back(on_edge(m_mesh.halfedge(bridge[high - 1], bridge[high]), 1.));
+      path.push_back(m_path.on_edge(m_mesh.halfedge(bridge[high - 1], bridge[high]), 1.));
     if(cut_high)
     {
       const Halfedge h = m_mesh.halfedge(bridge[high], bridge[high + 1]);
-      path.push_back(on_edge(h, 0.));
-      path.push_back(on_edge(h, t_high));
+      path.push_back(m_path.on_edge(h, 0.));
+      path.push_back(m_path.on_edge(h, t_high));
     }
     if(path.size() < 2)
       return;
-    set_path(path, false);
-    const double length = m_length.back();
+    m_path.set(path, false);
+    const double length = m_path.length();
     if(length < .6 * m_edge_length)
       return; // the two curves almost touch: samples on either serve both
     const int n = (std::max)(1, static_cast<int>(std::lround(length / m_edge_length)));
     for(int i = 0; i <= n; ++i)
     {
-      Sample sample = sample_at(length * i / n, m_segmentation.field_region[bridge[middle]], 0);
+      Sample sample = m_path.sample_at(length * i / n, m_segmentation.field_region[bridge[middle]], 0);
       if(!is_free(sample, static_cast<std::ptrdiff_t>(m_samples.size())))
         continue;
       if(i == 0 && cut_low)
@@ -236,12 +177,6 @@ private:
         pin(crossing_high);
       add(sample);
     }
-  }
-
-  Path_point on_edge(Halfedge h, double position) const
-  {
-    const Curve_point p{h, position};
-    return Path_point{internal::point_at(m_mesh, p), density_at(m_mesh, m_metric, p), h, position};
   }
 
   // The curve through this crossing has a sample there already.
@@ -274,11 +209,11 @@ private:
     std::vector<Path_point>& path = m_scratch;
     path.clear();
     for(std::size_t i = curve.begin; i < curve.end; ++i)
-      path.push_back(on_edge(m_curves.points[i].halfedge, m_curves.points[i].position));
+      path.push_back(m_path.on_edge(m_curves.points[i].halfedge, m_curves.points[i].position));
     if(path.size() < 2)
       return;
-    set_path(path, curve.is_closed);
-    const double length = m_length.back();
+    m_path.set(path, curve.is_closed);
+    const double length = m_path.length();
     std::vector<std::size_t>& pins = m_pins[c];
     if(!pins.empty() && curve.is_closed)
     {
@@ -297,7 +232,7 @@ private:
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(m_samples.size());
     for(int i = 0; i < n; ++i)
     {
-      const Sample sample = sample_at(start + i * step, curve.region, curve.level);
+      const Sample sample = m_path.sample_at(start + i * step, curve.region, curve.level);
       if(is_free(sample, first))
         add(sample);
     }
@@ -307,11 +242,11 @@ private:
   {
     std::sort(pins.begin(), pins.end());
     pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
-    const double length = m_length.back();
+    const double length = m_path.length();
     for(std::size_t i = 0; i < pins.size(); ++i)
     {
-      const double from = m_length[pins[i]];
-      const double to = i + 1 < pins.size() ? m_length[pins[i + 1]] : length + m_length[pins.front()];
+      const double from = m_path.lengths()[pins[i]];
+      const double to = i + 1 < pins.size() ? m_path.lengths()[pins[i + 1]] : length + m_path.lengths()[pins.front()];
       const int n = (std::max)(1, static_cast<int>(std::lround((to - from) / m_spacing)));
       const double step = (to - from) / n;
       const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(m_samples.size());
@@ -319,7 +254,7 @@ private:
       {
         double s = from + j * step;
         s -= s >= length ? length : 0.;
-        const Sample sample = sample_at(s, curve.region, curve.level);
+        const Sample sample = m_path.sample_at(s, curve.region, curve.level);
         if(is_free(sample, first))
           add(sample);
       }
@@ -330,19 +265,20 @@ private:
   // step being opposite to it. The votes are directions, and their sum is the answer.
   double phase(const Level_curve& curve, int n) const
   {
-    const double step = m_length.back() / n;
+    const double step = m_path.length() / n;
+    const std::vector<double>& lengths = m_path.lengths();
     double x = 0., y = 0.;
     for(int i = 0; i < n; ++i)
     {
       const double s = i * step;
-      const std::size_t j = (std::min)(std::size_t(std::upper_bound(m_length.begin(), m_length.end(), s) - m_length.begin()),
-                                       m_length.size() - 1);
-      const double l = m_length[j] - m_length[j - 1];
+      const std::size_t j = (std::min)(std::size_t(std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin()),
+                                       lengths.size() - 1);
+      const double l = lengths[j] - lengths[j - 1];
       if(!(l > 0.))
         continue;
-      const Vector tangent = (m_path[j].point - m_path[j - 1].point) / l; // a unit vector, but for the density
-      const Point here = m_path[j - 1].point + (s - m_length[j - 1]) * tangent;
-      const double density = .5 * (m_path[j - 1].density + m_path[j].density);
+      const Vector tangent = (m_path.point(j).point - m_path.point(j - 1).point) / l; // a unit vector, but for the density
+      const Point here = m_path.point(j - 1).point + (s - lengths[j - 1]) * tangent;
+      const double density = .5 * (m_path.point(j - 1).density + m_path.point(j).density);
       m_grid.near(here, 1. / density, 1.3 * m_edge_length / density, [&](std::uint32_t id, const Point& q, double)
       {
         if(!is_before(m_samples[id], curve))
@@ -391,7 +327,7 @@ private:
   const Mesh& m_surface;
   const Working_surface& m_working;
   const Mesh& m_mesh;
-  const Metric m_input_metric, m_metric;
+  const Metric m_metric;
   const Segmentation& m_segmentation;
   const Level_curves& m_curves;
   const Line_samples& m_lines;
@@ -400,8 +336,8 @@ private:
   std::vector<Sample> m_samples;
   std::vector<std::vector<std::size_t>> m_pins; // of a curve: its points that are samples already
   std::vector<std::pair<std::size_t, std::size_t>> m_order;
-  std::vector<Path_point> m_path, m_scratch;
-  std::vector<double> m_length; // of the path up to each point
+  Sampled_path m_path;
+  std::vector<Path_point> m_scratch;
 };
 
 } // namespace internal
