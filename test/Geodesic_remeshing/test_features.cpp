@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
@@ -626,8 +627,11 @@ class Model_with_lines : public testing::TestWithParam<Model_case>
 TEST_P(Model_with_lines, keeps_them)
 {
   const Model_case& c = GetParam();
+  const std::string file = CGAL::data_file_path("meshes/" + c.model + ".off");
+  if(c.model == std::string("joint_refined") && !std::ifstream(file))
+    GTEST_SKIP() << "the data of this version of CGAL does not have it yet";
   Mesh input;
-  ASSERT_TRUE(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/" + c.model + ".off"), input));
+  ASSERT_TRUE(CGAL::IO::read_OFF(file, input));
   const Result result(input, c.vertices, parameters::features_angle_bound(c.feature_angle > 0. ? c.feature_angle : 999.));
   expect_guarantees(input, result, c.vertices);
   const double diagonal = diagonal_of(input);

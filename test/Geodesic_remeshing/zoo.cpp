@@ -73,15 +73,20 @@ std::string faults(const GR::Remeshing_validity& v)
   add(v.has_same_boundary_loops, "loops");
   add(v.has_number_of_vertices, "number");
   add(v.is_on_surface, "off-surface");
-  add(v.degenerate_faces == 0, "degenerate=" + std::to_string(v.degenerate_faces));
   return result;
 }
 
-// What is not promised where sheets of the surface are nearer to each other than the edges are long: counted, not refused
+// What is not promised where sheets of the surface are nearer to each other than the edges are long, or touch: counted, not refused.
 std::string blemishes(const GR::Remeshing_validity& v)
 {
-  const std::string intersections = v.self_intersections == 0 || v.input_intersects_itself ? "" : " intersections";
-  return v.flipped_faces == 0 && intersections.empty() ? "" : " but for" + intersections + (v.flipped_faces == 0 ? "" : " turned faces");
+  std::string result;
+  if(v.self_intersections > 0 && !v.input_intersects_itself)
+    result += " intersections";
+  if(v.flipped_faces > 0)
+    result += " turned faces";
+  if(v.degenerate_faces > 0)
+    result += " degenerate faces";
+  return result.empty() ? "" : " but for" + result;
 }
 
 } // namespace
