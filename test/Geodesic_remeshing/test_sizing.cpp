@@ -166,6 +166,19 @@ TEST(Size_field, growth_is_limited_along_every_edge)
   }
 }
 
+TEST(Size_field, meets_the_number_with_a_single_tiny_wish)
+{
+  const Mesh mesh = made::sphere(5);
+  for(const double tiny : {1e-3, 1e-6})
+    for(const double number : {200., 1000., 20000.})
+    {
+      std::vector<double> wishes(mesh.number_of_vertices(), 1.);
+      wishes[17] = tiny;
+      GR::internal::Size_field field(mesh, wishes, {0., infinity, .12});
+      EXPECT_NEAR(field.number_of_vertices(field.lengths_for_number(number)) / number, 1., .011);
+    }
+}
+
 TEST(Size_field, meets_the_number_within_its_limits)
 {
   Mesh mesh = made::sphere(5);

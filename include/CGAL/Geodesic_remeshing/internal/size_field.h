@@ -52,12 +52,13 @@ public:
   }
 
   // The length at each vertex so that the mesh has this number of vertices, to one percent: more exactly the limits are not kept
-  // by any mesh. By the secant of the logarithms, between which the number is nearly a straight line.
+  // by any mesh. By the secant of the logarithms, between which the number is nearly a straight line; halving what is left where the
+  // secant leaves it, as where a single tiny wish and the gradation make most of the number.
   std::vector<double> lengths_for_number(double number)
   {
     double factor = std::sqrt(number_of_vertices(m_wishes) / number), exponent = -2.;
-    double last_factor = 0., last_number = 0.;
-    for(int i = 0; i < 12; ++i)
+    double last_factor = 0., last_number = 0., low = 0., high = infinity; // factors that give too many and too few
+    for(int i = 0; i < 60; ++i)
     {
       std::vector<double> result = lengths(factor);
       const double n = number_of_vertices(result);
@@ -67,7 +68,10 @@ public:
         exponent = (std::min)((std::max)(std::log(n / last_number) / std::log(factor / last_factor), -2.), -.5);
       last_factor = factor;
       last_number = n;
+      (n > number ? low : high) = factor;
       factor *= std::pow(number / n, 1. / exponent);
+      if(low > 0. && high < infinity && !(low < factor && factor < high))
+        factor = std::sqrt(low * high);
     }
     fail(number);
   }
