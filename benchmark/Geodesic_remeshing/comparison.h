@@ -19,7 +19,9 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -37,10 +39,11 @@ struct Options
 {
   int repeats = 3;
   std::string output;
+  std::string meshes; // a folder for the meshes that are measured; empty: they are not kept
   std::vector<Task> tasks;
 };
 
-// Reads [--repeats R] [--output PREFIX] [MODEL=N ...]; without a model: the tasks given.
+// Reads [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]; without a model: the tasks given.
 inline Options read_options(int argc, char* argv[], const std::vector<Task>& tasks)
 {
   Options options;
@@ -52,10 +55,12 @@ inline Options read_options(int argc, char* argv[], const std::vector<Task>& tas
       options.repeats = (std::max)(1, std::atoi(argv[++i]));
     else if(word == "--output" && i + 1 < argc)
       options.output = argv[++i];
+    else if(word == "--meshes" && i + 1 < argc)
+      options.meshes = argv[++i];
     else if(word.front() != '-' && equals != std::string::npos)
       options.tasks.push_back({word.substr(0, equals), std::stoul(word.substr(equals + 1))});
     else
-      throw std::invalid_argument(std::string("usage: ") + argv[0] + " [--repeats R] [--output PREFIX] [MODEL=N ...]");
+      throw std::invalid_argument(std::string("usage: ") + argv[0] + " [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]");
   }
   if(options.tasks.empty())
     options.tasks = tasks;
@@ -72,8 +77,21 @@ inline Mesh read_model(const std::string& model)
   return mesh;
 }
 
+// FOLDER/MODEL.METHOD.off, with nothing but letters and digits in the names
+inline void keep_mesh(const std::string& folder, const std::string& model, const std::string& method, const Mesh& mesh)
+{
+  std::string name = method;
+  for(char& c : name)
+    if(!std::isalnum(static_cast<unsigned char>(c)))
+      c = '_';
+  const std::string file =
+      (std::filesystem::path(folder) / (std::filesystem::path(model).stem().string() + "." + name + ".off")).string();
+  if(!CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::stream_precision(9)))
+    throw std::runtime_error("cannot write " + file);
+}
+
 // All remeshers on one model. They take turns, so that what else the machine does meets all of them.
-inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>& remeshers, int repeats)
+inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>& remeshers, const Options& options)
 {
   const Mesh input = read_model(task.model);
   std::vector<Run> runs;
@@ -82,7 +100,7 @@ inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>
 
   std::vector<Result> results(remeshers.size());
   std::vector<Mesh> outputs(remeshers.size());
-  for(int repeat = 0; repeat < repeats; ++repeat)
+  for(int repeat = 0; repeat < options.repeats; ++repeat)
     for(std::size_t i = 0; i < runs.size(); ++i)
     {
       std::cerr << task.model << ": " << remeshers[i].name << "\n";
@@ -99,6 +117,8 @@ inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>
     results[i].growth = measure_growth(outputs[i]);
     results[i].quality = mesh_quality::measure_quality(outputs[i]);
     results[i].distance = mesh_quality::measure_distance(input, outputs[i]);
+    if(!options.meshes.empty())
+      keep_mesh(options.meshes, task.model, remeshers[i].name, outputs[i]);
   }
   return results;
 }

@@ -1,10 +1,11 @@
 // Remeshes models with geodesic_remeshing() and with CGAL's own remeshers in one run, and measures all results with one
 // and the same code.
 //
-//   remeshing_benchmark [--repeats R] [--output PREFIX] [MODEL=N ...]
+//   remeshing_benchmark [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]
 //
 // MODEL is the name of one of CGAL's example meshes or a file, N the number of vertices. The tables go to standard output, and
-// with --output to PREFIX.csv (all), PREFIX.md (all) and PREFIX_medians.md.
+// with --output to PREFIX.csv (all), PREFIX.md (all) and PREFIX_medians.md. --meshes keeps
+// the meshes, as FOLDER/MODEL.METHOD.off.
 // Times are user CPU seconds, the smallest of R runs (3): what disturbs a run only makes it longer.
 
 #include "comparison.h"
@@ -51,7 +52,7 @@ int main(int argc, char* argv[])
                                  {"armadillo", 20000}});
     std::vector<Result> results;
     for(const benchmark::Task& task : options.tasks)
-      for(Result& result : benchmark::measure(task, benchmark::all_remeshers(), options.repeats))
+      for(Result& result : benchmark::measure(task, benchmark::all_remeshers(), options))
         results.push_back(std::move(result));
     benchmark::write_markdown(std::cout, results);
     std::cout << "\nMedians over the models:\n\n";

@@ -1,7 +1,7 @@
 // Remeshes models with sizes that follow the curvature: geodesic_remeshing() without and with a Curvature_sizing_field, and CGAL's
 // isotropic_remeshing() with an Adaptive_sizing_field whose tolerance is tuned to the same number of vertices (not timed).
 //
-//   sizing_benchmark [--repeats R] [--output PREFIX] [MODEL=N ...]
+//   sizing_benchmark [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]
 //
 // The arguments are those of remeshing_benchmark; the table goes to standard output, and with --output to PREFIX.md. Times
 // include that for the sizing field.
@@ -69,7 +69,7 @@ int main(int argc, char* argv[])
     std::ostringstream table;
     write_head(table);
     for(const benchmark::Task& task : options.tasks)
-      write_rows(table, benchmark::measure(task, remeshers, options.repeats));
+      write_rows(table, benchmark::measure(task, remeshers, options));
     std::cout << table.str();
     if(!options.output.empty() && !(std::ofstream(options.output + ".md") << table.str()).flush())
       throw std::runtime_error("cannot write " + options.output + ".md");

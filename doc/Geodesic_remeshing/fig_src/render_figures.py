@@ -321,4 +321,5 @@ def main(arguments):
             make_figure(name, stages, figures, work)
 
 
-main(sys.argv[1:])
+if __name__ == "__main__":
+    main(sys.argv[1:])
