@@ -121,24 +121,49 @@ GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Option
                           : GR::is_valid_remeshing(input, output, np);
 }
 
-void run(const Options& options)
+std::string output_format_of(const Options& options, const command_line::Input_file& input)
 {
-  const auto write_output = command_line::mesh_writer(options.output);
-  if(options.transfer && !(Transfer::is_ply(options.input) && Transfer::is_ply(options.output))
-     && !(Transfer::is_obj(options.input) && Transfer::is_obj(options.output)))
-    throw command_line::Usage_error("--transfer goes from .ply to .ply and from .obj to .obj");
-  command_line::Input input = command_line::read_mesh(options.input, options.do_repair);
-  command_line::Output_files files;
-  if(!options.quiet)
-    for(const std::string& repair : input.repairs)
-      std::cout << "repaired the input: " << repair << "\n";
-  files.announce(options.output);
-  for(const std::string& name : {options.report, options.regions, options.curves})
+  if(!options.output_format.empty())
+    return options.output_format;
+  return options.output == "-" ? input.format() : command_line::format_of(options.output);
+}
+
+void announce_all(command_line::Output_files& files, const Options& options)
+{
+  for(const std::string& name : {options.output, options.report, options.regions, options.curves})
     if(!name.empty())
       files.announce(name);
+}
+
+void measure(Report& report, const Mesh& input, const Mesh& output, const Options& options)
+{
+  if(!options.quiet || !options.report.empty())
+  {
+    report.input = mesh_quality::measure_quality(input);
+    report.output = mesh_quality::measure_quality(output);
+    report.distance = mesh_quality::measure_distance(input, output, 100000);
+  }
+  if(options.check)
+    report.validity = check(input, output, options);
+}
+
+void run(const Options& options)
+{
+  const command_line::Input_file file(options.input, options.input_format);
+  const std::string output_format = output_format_of(options, file);
+  const auto write_output = command_line::mesh_writer(options.output, output_format);
+  if(options.transfer && !Transfer::is_possible(file.format(), output_format))
+    throw command_line::Usage_error("--transfer goes from .ply to .ply and from .obj to .obj");
+  command_line::Input input = command_line::read_mesh(file, options.do_repair);
+  command_line::Output_files files;
+  announce_all(files, options);
+  std::ostream& messages = files.use_standard_output() ? std::cerr : std::cout;
+  if(!options.quiet)
+    for(const std::string& repair : input.repairs)
+      messages << "repaired the input: " << repair << "\n";
 
   Mesh output;
-  Transfer transfer(options.transfer ? options.input : std::string(), input, output);
+  Transfer transfer(options.transfer, file, input, output);
   GR::Stage_results stages;
   Report report;
   CGAL::Timer timer;
@@ -152,24 +177,17 @@ void run(const Options& options)
   });
   files.write(options.regions, [&](std::ostream& out) { command_line::write_regions(out, stages); });
   files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });
-  const bool is_measured = !options.quiet || !options.report.empty();
-  if(is_measured)
-  {
-    report.input = mesh_quality::measure_quality(input.mesh);
-    report.output = mesh_quality::measure_quality(output);
-    report.distance = mesh_quality::measure_distance(input.mesh, output, 100000);
-  }
-  if(options.check)
-    report.validity = check(input.mesh, output, options);
+  measure(report, input.mesh, output, options);
   files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
   files.put_into_place();
   if(!options.quiet)
-    command_line::write_table(std::cout, report);
+    command_line::write_table(messages, report);
 }
 
 int complain(const std::string& message, Exit_status status)
 {
-  std::cerr << "geodesic_remesh: " << message << "\n";
+  const bool has_colors = command_line::standard_error_is_a_terminal_with_colors();
+  std::cerr << (has_colors ? "\033[1;31mgeodesic_remesh:\033[0m " : "geodesic_remesh: ") << message << "\n";
   return status;
 }
 

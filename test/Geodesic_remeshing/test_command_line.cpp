@@ -1,105 +1,26 @@
 // The promises of geodesic_remesh to scripts and users: exit status, one line about an error, output whole or not at all.
 
+#include "command_line_support.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {});
-}
-
-struct Outcome
-{
-  int status;
-  std::string out;
-  std::string err;
-};
+using namespace command_line_support;
 
 const char* const tetrahedron_points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-
-// Each test has an empty folder for its files and another one for what the program writes.
-class Command_line : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = fs::temp_directory_path() / ("geodesic_remesh." + std::to_string(getpid()) + "." + test->name());
-    fs::create_directories(folder / "written");
-  }
-
-  void TearDown() override { fs::remove_all(folder); }
-
-  Outcome run(const std::string& arguments) const
-  {
-    const std::string command = std::string("'") + GEODESIC_REMESH_PROGRAM + "' " + arguments + " >'" +
-                                (folder / "stdout").string() + "' 2>'" + (folder / "stderr").string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "stdout"), contents(folder / "stderr")};
-  }
-
-  std::string file(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(folder / name, std::ios::binary) << text;
-    return (folder / name).string();
-  }
-
-  std::string output(const std::string& name = "out.off") const { return (folder / "written" / name).string(); }
-
-  // the error is one line, nothing is on standard output, and no file has appeared
-  void expect_failure(const std::string& arguments, int status, const std::string& words) const
-  {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_TRUE(fs::is_empty(folder / "written"));
-  }
-
-  void expect_bad_input(const std::string& input, const std::string& words) const
-  {
-    expect_failure("'" + input + "' '" + output() + "' --vertices 100", 2, words);
-  }
-
-  fs::path folder;
-};
-
-std::string mesh(const std::string& name)
-{
-  return std::string(MESHES_FOLDER "/") + name + ".off";
-}
-
-std::array<std::size_t, 2> vertices_and_faces_of_off(const std::string& name)
-{
-  std::ifstream in(name);
-  std::string word;
-  std::array<std::size_t, 2> counts{};
-  in >> word >> counts[0] >> counts[1];
-  EXPECT_EQ(word, "OFF");
-  return counts;
-}
 
 std::vector<std::array<double, 3>> points_of_off(const std::string& name)
 {
@@ -293,16 +214,6 @@ TEST_F(Command_line, output_may_be_the_input)
   fs::copy_file(mesh("eight"), output("eight.off"));
   EXPECT_EQ(run(output("eight.off") + " " + output("eight.off") + " --vertices 600 --quiet").status, 0);
   EXPECT_EQ(vertices_and_faces_of_off(output("eight.off"))[0], 600u);
-}
-
-TEST_F(Command_line, help_and_version)
-{
-  const Outcome help = run("--help");
-  EXPECT_EQ(help.status, 0);
-  for(const char* option : {"--vertices", "--faces", "--edge-length", "--no-segmentation", "--iterations", "--report",
-                            "--regions", "--curves", "--quiet", "--help", "--version"})
-    EXPECT_NE(help.out.find(option), std::string::npos) << option;
-  EXPECT_EQ(run("--version").status, 0);
 }
 
 TEST_F(Command_line, wrong_usage)

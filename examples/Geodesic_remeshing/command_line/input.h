@@ -78,11 +78,11 @@ inline Mesh make_mesh(const Soup& soup)
 } // namespace internal
 
 // The triangle mesh of a file. What is no mesh is repaired where it can be, or refused with what is wrong, and where.
-inline Input read_mesh(const std::string& file_name, bool do_repair)
+inline Input read_mesh(const Input_file& file, bool do_repair)
 {
   try
   {
-    internal::Soup soup = internal::read_soup(file_name);
+    internal::Soup soup = internal::read_soup(file);
     internal::check_points_and_polygons(soup);
     const std::size_t vertices_in_file = soup.points.size();
     std::vector<std::string> repairs;
@@ -105,7 +105,7 @@ inline Input read_mesh(const std::string& file_name, bool do_repair)
   }
   catch(const Input_error& error)
   {
-    throw Input_error(file_name + " " + error.what());
+    throw Input_error(file.name() + " " + error.what());
   }
 }
 

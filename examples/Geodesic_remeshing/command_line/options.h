@@ -10,9 +10,10 @@
 #ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OPTIONS_H
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OPTIONS_H
 
-#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+#include "generate.h"
+#include "help.h"
 
-#include <boost/program_options.hpp>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,10 @@ struct Usage_error : std::runtime_error
 
 struct Options
 {
-  std::string input;
+  std::string input; // "-": standard input
   std::string output;
+  std::string input_format; // empty: the ending of the name tells
+  std::string output_format;
   std::optional<std::size_t> vertices; // exactly one of these three is set
   std::optional<std::size_t> faces;
   std::optional<double> edge_length;
@@ -57,44 +60,11 @@ struct Options
 
 namespace internal {
 
-namespace po = boost::program_options;
-
-inline po::options_description visible_options()
-{
-  po::options_description options("Options", 100);
-  // clang-format off
-  options.add_options()
-    ("vertices", po::value<long long>()->value_name("N"), "exactly N vertices")
-    ("faces", po::value<long long>()->value_name("N"), "N faces")
-    ("edge-length", po::value<double>()->value_name("L"), "edges about as long as L")
-    ("contrast", po::value<double>()->value_name("C"), "edges shorter where the surface bends: 0 uniform, 0.5 usual, up to 2")
-    ("gaussian-weight", po::value<double>()->value_name("A"), "weight of the Gaussian curvature (0.5); needs --contrast")
-    ("mean-weight", po::value<double>()->value_name("B"), "weight of the mean curvature (0.5); needs --contrast")
-    ("sizing", po::value<std::string>()->value_name("FILE"), "length of the edges at each vertex of INPUT, up to a common factor:\n"
-     "text with one number a vertex, or PLY with a vertex property \"sizing\"")
-    ("gradation", po::value<double>()->value_name("G"), "largest growth of the edges along the surface (0.12)")
-    ("min-length", po::value<double>()->value_name("L"), "no edges aim at less than L")
-    ("max-length", po::value<double>()->value_name("L"), "no edges aim at more than L")
-    ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners")
-    ("no-repair", po::bool_switch(), "refuse an INPUT that is no mesh as it is")
-    ("no-segmentation", po::bool_switch(), "one region: curves around the root all over the surface")
-    ("iterations", po::value<long long>()->value_name("K"), "rounds of improvement (3)")
-    ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
-    ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")
-    ("curves", po::value<std::string>()->value_name("FILE.obj"), "write the equidistant curves")
-    ("transfer", po::bool_switch(), "carry over what INPUT has beside its mesh: properties of vertices and faces from PLY to\n"
-     "PLY, texture coordinates, their seams kept, from OBJ to OBJ")
-    ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
-    ("quiet", po::bool_switch(), "no progress, no table")
-    ("help", po::bool_switch(), "print this and end")
-    ("version", po::bool_switch(), "print the version and end");
-  // clang-format on
-  return options;
-}
-
 inline po::variables_map parse(int argc, const char* const* argv)
 {
-  po::options_description all = visible_options();
+  po::options_description all;
+  for(const auto& group : option_groups())
+    all.add(group.options);
   all.add_options()("input", po::value<std::string>())("output", po::value<std::string>());
   po::positional_options_description positional;
   positional.add("input", 1).add("output", 1);
@@ -196,34 +166,60 @@ inline void read_target(const po::variables_map& values, Options& options)
 
 } // namespace internal
 
-inline void print_help(std::ostream& out)
+namespace internal {
+
+// One of the words of a list with | between, or nothing
+inline std::string one_of(const po::variables_map& values, const std::string& name, const char* list)
 {
-  out << "Usage: geodesic_remesh INPUT OUTPUT (--vertices N | --faces N | --edge-length L) [options]\n\n"
-         "Remeshes the triangle mesh INPUT and writes the result to OUTPUT. The ending of a file name\n"
-         "tells its format: .off, .obj, .ply, .stl, .ts.\n\n"
-      << internal::visible_options()
-      << "\nExit status: 0 done, 1 wrong usage, 2 INPUT unreadable or unusable, 3 could not remesh or write.\n";
+  if(values.count(name) == 0)
+    return {};
+  const std::string value = values[name].as<std::string>();
+  const auto words = alternatives(list);
+  if(std::find(words.begin(), words.end(), value) == words.end())
+    throw Usage_error("--" + name + " is one of " + list + ", not \"" + value + "\"");
+  return value;
 }
 
-// What the arguments ask for, or nothing if they asked for --help or --version, which is answered here.
+inline void read_files(const po::variables_map& values, Options& options)
+{
+  options.input = file_name(values, "input");
+  options.output = file_name(values, "output");
+  if(options.input.empty() || options.output.empty())
+    throw Usage_error("INPUT and OUTPUT are needed (see --help)");
+  options.input_format = one_of(values, "input-format", mesh_formats);
+  options.output_format = one_of(values, "output-format", mesh_formats);
+  if(options.input == "-" && options.input_format.empty())
+    throw Usage_error("reading standard input needs --input-format");
+  options.report = file_name(values, "report");
+  options.regions = file_name(values, "regions");
+  options.curves = file_name(values, "curves");
+}
+
+// --help, --version and --generate
+inline bool is_answered(const po::variables_map& values, const std::string& version)
+{
+  const std::string text = one_of(values, "generate", generated_texts);
+  if(values["help"].as<bool>())
+    print_help(std::cout);
+  else if(values["version"].as<bool>())
+    std::cout << version << "\n";
+  else if(!text.empty())
+    generate(text, std::cout, version);
+  else
+    return false;
+  return true;
+}
+
+} // namespace internal
+
+// What the arguments ask for, or nothing if they asked for a text about the program, which is printed here.
 inline std::optional<Options> read_options(int argc, const char* const* argv, const std::string& version)
 {
   const auto values = internal::parse(argc, argv);
-  if(values["help"].as<bool>())
-  {
-    print_help(std::cout);
+  if(internal::is_answered(values, version))
     return std::nullopt;
-  }
-  if(values["version"].as<bool>())
-  {
-    std::cout << version << "\n";
-    return std::nullopt;
-  }
   Options options;
-  options.input = internal::file_name(values, "input");
-  options.output = internal::file_name(values, "output");
-  if(options.input.empty() || options.output.empty())
-    throw Usage_error("INPUT and OUTPUT are needed (see --help)");
+  internal::read_files(values, options);
   internal::read_target(values, options);
   internal::read_sizing(values, options);
   if(const auto iterations = internal::count(values, "iterations", 0))
@@ -234,9 +230,6 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   options.transfer = values["transfer"].as<bool>();
   options.check = values["check"].as<bool>();
   options.quiet = values["quiet"].as<bool>();
-  options.report = internal::file_name(values, "report");
-  options.regions = internal::file_name(values, "regions");
-  options.curves = internal::file_name(values, "curves");
   return options;
 }
 

@@ -19,8 +19,11 @@
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -55,13 +58,18 @@ public:
   {
     namespace fs = std::filesystem;
     const fs::path place(name);
+    for(const auto& file : m_files)
+      if(file.place == place)
+        throw Output_error(name + " is asked for twice");
+    if(name == "-")
+    {
+      m_files.push_back({place, {}});
+      return;
+    }
     std::error_code error;
     // renaming a file onto a device would replace the device
     if(fs::exists(place, error) && !fs::is_regular_file(place, error))
       throw Output_error(name + " cannot be written: not a regular file");
-    for(const auto& file : m_files)
-      if(file.place == place)
-        throw Output_error(name + " is asked for twice");
     fs::path temporary = place;
     temporary.replace_filename("." + place.filename().string() + "." + process_id());
     if(!std::ofstream(temporary))
@@ -72,12 +80,18 @@ public:
   // `write` is given a stream, unless the file was not announced: no name, not wanted. The file counts as written only if
   // all of it reached the disk.
   template <class Write>
-  void write(const std::string& name, const Write& write) const
+  void write(const std::string& name, const Write& write)
   {
     for(const auto& file : m_files)
     {
       if(file.place != name)
         continue;
+      if(name == "-")
+      {
+        m_standard_output.precision(17);
+        write(m_standard_output);
+        continue;
+      }
       std::ofstream stream(file.temporary, std::ios::binary);
       stream.precision(17);
       write(stream);
@@ -91,6 +105,11 @@ public:
   {
     for(const auto& file : m_files)
     {
+      if(file.place == "-")
+      {
+        put_to_standard_output();
+        continue;
+      }
       std::error_code error;
       std::filesystem::rename(file.temporary, file.place, error);
       if(error)
@@ -99,42 +118,55 @@ public:
     m_files.clear();
   }
 
+  bool use_standard_output() const
+  {
+    return std::any_of(m_files.begin(), m_files.end(), [](const File& file) { return file.place == "-"; });
+  }
+
 private:
+  void put_to_standard_output() const
+  {
+    set_binary(stdout);
+    std::cout << m_standard_output.rdbuf() << std::flush;
+    if(!std::cout)
+      throw Output_error("standard output cannot be written");
+  }
+
   struct File
   {
     std::filesystem::path place;
     std::filesystem::path temporary;
   };
   std::vector<File> m_files;
+  std::stringstream m_standard_output; // kept until the end, as the files are
 };
 
 using Mesh_writer = void (*)(std::ostream&, const mesh_quality::Mesh&);
 
-// How to write the format that the ending of the name tells; throws if there is none. With all digits where the format is
+// How to write the format; throws if there is no such. With all digits where the format is
 // text: reading the file gives the same coordinates.
-inline Mesh_writer mesh_writer(const std::string& file_name)
+inline Mesh_writer mesh_writer(const std::string& file_name, const std::string& format)
 {
   using Mesh = mesh_quality::Mesh;
-  const std::string ending = CGAL::IO::internal::get_file_extension(file_name);
-  if(ending == "off")
+  if(format == "off")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(17));
     };
-  if(ending == "obj")
+  if(format == "obj")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::write_OBJ(out, mesh, CGAL::parameters::stream_precision(17));
     };
-  if(ending == "ply")
+  if(format == "ply")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::set_binary_mode(out);
       CGAL::IO::write_PLY(out, mesh);
     };
-  if(ending == "stl")
+  if(format == "stl")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::set_binary_mode(out);
       CGAL::IO::write_STL(out, mesh);
     };
-  if(ending == "ts")
+  if(format == "ts")
     return [](std::ostream& out, const Mesh& mesh) {
       CGAL::IO::write_GOCAD(out, mesh, CGAL::parameters::stream_precision(17));
     };

@@ -29,7 +29,7 @@ inline volatile std::sig_atomic_t interrupted = 0;
 class Progress
 {
 public:
-  explicit Progress(bool quiet) : m_shown(!quiet && standard_error_is_a_terminal())
+  explicit Progress(bool quiet) : m_shown(!quiet && standard_error_is_a_terminal() && !terminal_is_dumb())
   {
     std::signal(SIGINT, [](int) { internal::interrupted = 1; });
   }
@@ -46,26 +46,28 @@ public:
   void stage(const std::string& name)
   {
     m_stage = name;
-    show(0.);
+    show();
   }
 
   bool progress(double done)
   {
-    show(done);
+    m_done = done;
+    show();
     return internal::interrupted == 0;
   }
 
 private:
-  void show(double done)
+  void show()
   {
     constexpr int width = 30;
-    const int full = static_cast<int>(done * width);
-    if(!m_shown || (full == m_full && m_stage == m_shown_stage))
+    const int percent = static_cast<int>(100. * m_done);
+    if(!m_shown || (percent == m_percent && m_stage == m_shown_stage))
       return;
-    m_full = full;
+    m_percent = percent;
     m_shown_stage = m_stage;
+    const int full = percent * width / 100;
     const std::string bar = std::string(full, '#') + std::string(width - full, ' ');
-    std::cerr << "\r\033[K[" << bar << "] " << m_stage << std::flush;
+    std::cerr << "\r\033[K[" << bar << "] " << percent << " % " << m_stage << std::flush;
   }
 
   void erase() const
@@ -75,7 +77,8 @@ private:
   }
 
   bool m_shown;
-  int m_full = -1;
+  double m_done = 0.;
+  int m_percent = -1;
   std::string m_stage;
   std::string m_shown_stage;
 };

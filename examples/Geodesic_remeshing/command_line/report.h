@@ -81,9 +81,11 @@ inline void write_row(std::ostream& out, const std::string& name, const mesh_qua
 
 } // namespace internal
 
+// As report.schema.json says
 inline void write_json(std::ostream& out, const Report& report)
 {
   nlohmann::ordered_json json;
+  json["version"] = GEODESIC_REMESHING_VERSION;
   json["input"] = internal::to_json(report.input);
   json["output"] = internal::to_json(report.output);
   json["output"]["hausdorff_percent"] = report.distance.hausdorff_percent;

@@ -11,13 +11,13 @@
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_SOUP_H
 
 #include "../include/mesh_quality.h"
+#include "input_file.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -64,23 +64,43 @@ private:
   std::streambuf* m_buffer;
 };
 
-inline Soup read_soup(const std::string& file_name)
+inline bool read_soup(const Input_file& file, Soup& soup)
 {
-  if(!std::ifstream(file_name))
+  const auto in = file.open();
+  if(file.format() == "off")
+    return CGAL::IO::read_OFF(*in, soup.points, soup.polygons);
+  if(file.format() == "obj")
+    return CGAL::IO::read_OBJ(*in, soup.points, soup.polygons);
+  if(file.format() == "ply")
+    return CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
+  if(file.format() == "ts")
+    return CGAL::IO::read_GOCAD(*in, soup.points, soup.polygons);
+  if(file.format() != "stl")
+    return false;
+  CGAL::IO::set_binary_mode(*in); // a text may be taken for binary
+  if(CGAL::IO::read_STL(*in, soup.points, soup.polygons))
+    return true;
+  soup = Soup();
+  return CGAL::IO::read_STL(*file.open(), soup.points, soup.polygons, CGAL::parameters::use_binary_mode(false));
+}
+
+inline Soup read_soup(const Input_file& file)
+{
+  if(!*file.open())
     throw Input_error("cannot be opened");
   Soup soup;
   bool read = false;
   try
   {
     const Silent_errors silence;
-    read = CGAL::IO::read_polygon_soup(file_name, soup.points, soup.polygons, CGAL::parameters::verbose(false));
+    read = read_soup(file, soup);
   }
   catch(const std::exception&)
   {
     // a damaged header can ask for more memory than there is
   }
   if(!read)
-    throw Input_error("cannot be read as a mesh (OFF, OBJ, PLY, STL or TS, according to its ending)");
+    throw Input_error("cannot be read as a mesh (OFF, OBJ, PLY, STL or TS, according to its ending or --input-format)");
   return soup;
 }
 

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <fstream>
+#include <istream>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -59,15 +59,15 @@ inline Obj_corner obj_corner(const std::string& word, std::size_t vertices, std:
 } // namespace internal
 
 // Reads the texture coordinates of the file that the mesh was read from, and marks the edges at which they jump.
-inline Texture_map read_texture(const std::string& file_name, Mesh& mesh, Mesh::Property_map<Mesh::Edge_index, bool> seams)
+inline Texture_map read_texture(const Input_file& file, Mesh& mesh, Mesh::Property_map<Mesh::Edge_index, bool> seams)
 {
-  std::ifstream in(file_name);
+  const auto in = file.open();
   std::vector<Texture_coordinates> coordinates;
   std::size_t vertices = 0;
   const auto index = mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value();
   Texture_map uv = mesh.add_property_map<Mesh::Halfedge_index, Texture_coordinates>("h:uv").first;
   auto face = mesh.faces().begin(); // those of the file, in its order
-  for(std::string line; std::getline(in, line);)
+  for(std::string line; std::getline(*in, line);)
   {
     std::istringstream words(line);
     std::string word;
@@ -78,7 +78,7 @@ inline Texture_map read_texture(const std::string& file_name, Mesh& mesh, Mesh::
     {
       Texture_coordinates at{};
       if(!(words >> at[0] >> at[1]))
-        throw Input_error(file_name + " has texture coordinates that are no numbers: " + line);
+        throw Input_error(file.name() + " has texture coordinates that are no numbers: " + line);
       coordinates.push_back(at);
     }
     else if(word == "f" && face != mesh.faces().end())

@@ -19,7 +19,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
@@ -34,24 +33,26 @@ using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
 class Transfer
 {
 public:
-  // Nothing is carried over if there is no file.
-  Transfer(const std::string& file_name, Input& input, Mesh& output)
+  // Nothing is carried over if it is not wanted.
+  Transfer(bool is_wanted, const Input_file& file, Input& input, Mesh& output)
     : m_input(input.mesh), m_output(output),
       m_seams(input.mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first),
       m_locations(output.add_property_map<Mesh::Vertex_index, Location>("v:location").first)
   {
-    if(file_name.empty())
+    if(!is_wanted)
       return;
     if(!input.repairs.empty())
-      throw Input_error(file_name + " had to be repaired: its properties do not belong to the mesh any more");
-    if(is_obj(file_name))
-      m_uv = read_texture(file_name, m_input, m_seams);
+      throw Input_error(file.name() + " had to be repaired: its properties do not belong to the mesh any more");
+    if(file.format() == "obj")
+      m_uv = read_texture(file, m_input, m_seams);
     else
-      read_ply(file_name, input.vertices_in_file);
+      read_ply(file, input.vertices_in_file);
   }
 
-  static bool is_obj(const std::string& name) { return name.size() > 4 && name.substr(name.size() - 4) == ".obj"; }
-  static bool is_ply(const std::string& name) { return name.size() > 4 && name.substr(name.size() - 4) == ".ply"; }
+  static bool is_possible(const std::string& input_format, const std::string& output_format)
+  {
+    return input_format == output_format && (input_format == "ply" || input_format == "obj");
+  }
 
   const Mesh::Property_map<Mesh::Edge_index, bool>& seams() const { return m_seams; }
   const Mesh::Property_map<Mesh::Vertex_index, Location>& locations() const { return m_locations; }
@@ -73,21 +74,21 @@ public:
   void write_textured_obj(std::ostream& out) const { command_line::write_textured_obj(out, m_output, *m_output_uv); }
 
 private:
-  void read_ply(const std::string& file_name, std::size_t vertices_in_file)
+  void read_ply(const Input_file& file, std::size_t vertices_in_file)
   {
-    std::ifstream in(file_name, std::ios::binary);
+    const auto in = file.open();
     bool read = false;
     try
     {
       const internal::Silent_errors silence;
-      read = CGAL::IO::read_PLY(in, m_file);
+      read = CGAL::IO::read_PLY(*in, m_file);
     }
     catch(const std::exception&)
     {
       // as for any other damaged file
     }
     if(!read || m_file.number_of_vertices() != vertices_in_file || m_file.number_of_faces() != m_input.number_of_faces())
-      throw Input_error(file_name + " has properties that cannot be read");
+      throw Input_error(file.name() + " has properties that cannot be read");
     for(const std::string& name : m_file.properties<Mesh::Vertex_index>())
       add_vertex_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
                           CGAL::IO::Color, mesh_quality::Kernel::Vector_3>(name);

@@ -1,0 +1,224 @@
+// What people expect of a program in a terminal: help, man page, completion, standard streams, colors, a documented report.
+
+#include "command_line_support.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <pty.h>
+
+namespace {
+
+using namespace command_line_support;
+
+bool is_installed(const std::string& command)
+{
+  return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+// The names of the options that --help lists
+std::set<std::string> options_of_help(const std::string& help)
+{
+  std::set<std::string> options;
+  std::istringstream lines(help);
+  for(std::string line; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if(word.size() == 3 && word[0] == '-' && word[2] == ',')
+      words >> word;
+    if(line.rfind("  -", 0) == 0)
+      options.insert(word);
+  }
+  return options;
+}
+
+// What the program writes to a terminal
+std::string on_terminal(const std::string& settings, const std::string& arguments)
+{
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if(child == 0)
+  {
+    const std::string command = "env -u NO_COLOR TERM=xterm " + settings + " '" GEODESIC_REMESH_PROGRAM "' " + arguments;
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  std::string written;
+  std::array<char, 4096> buffer{};
+  for(ssize_t size = 0; (size = read(terminal, buffer.data(), buffer.size())) > 0;)
+    written.append(buffer.data(), static_cast<std::size_t>(size));
+  close(terminal);
+  waitpid(child, nullptr, 0);
+  return written;
+}
+
+} // namespace
+
+TEST_F(Command_line, help_lists_the_options_in_groups)
+{
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.status, 0);
+  const auto options = options_of_help(help.out);
+  for(const char* option : {"--vertices", "--faces", "--edge-length", "--contrast", "--report", "--quiet", "--help", "--version"})
+    EXPECT_EQ(options.count(option), 1u) << option;
+  for(const char* heading : {"\nTarget", "\nSizing:", "\nInput:", "\nOutput:", "\nExamples:", "\nExit status:"})
+    EXPECT_NE(help.out.find(heading), std::string::npos) << heading;
+  std::istringstream lines(help.out);
+  for(std::string line; std::getline(lines, line);)
+    EXPECT_LE(line.size(), 110u) << line;
+  EXPECT_EQ(run("-h").out, help.out);
+}
+
+TEST_F(Command_line, version_names_the_library_as_well)
+{
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out.rfind("geodesic_remesh ", 0), 0u);
+  EXPECT_NE(version.out.find("CGAL"), std::string::npos);
+}
+
+TEST_F(Command_line, man_page_has_every_option)
+{
+  const Outcome page = run("--generate man");
+  ASSERT_EQ(page.status, 0);
+  for(const std::string& option : options_of_help(run("--help").out))
+  {
+    std::string roff;
+    for(const char c : option)
+      roff += c == '-' ? std::string("\\-") : std::string(1, c);
+    EXPECT_NE(page.out.find(roff + "\\fR"), std::string::npos) << option;
+  }
+  expect_failure("--generate poem", 1, "one of man|complete-bash|complete-zsh");
+}
+
+TEST_F(Command_line, man_page_is_well_formed)
+{
+  if(!is_installed("command -v mandoc"))
+    GTEST_SKIP() << "mandoc is not installed";
+  const std::string page = file("geodesic_remesh.1", run("--generate man").out);
+  const std::string lint = (folder / "lint").string();
+  EXPECT_TRUE(is_installed("mandoc -T lint -W error '" + page + "'"));
+  EXPECT_EQ(std::system(("mandoc -T utf8 '" + page + "' | col -b >'" + lint + "'").c_str()), 0);
+  EXPECT_NE(contents(lint).find("--edge-length L"), std::string::npos);
+}
+
+TEST_F(Command_line, bash_completes_options_and_their_values)
+{
+  if(!is_installed("command -v bash"))
+    GTEST_SKIP() << "bash is not installed";
+  const std::string completion = file("completion", run("--generate complete-bash").out);
+  const auto complete = [&](const std::string& words, int current) {
+    const std::string script = file("script", ". '" + completion + "'\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=" + std::to_string(current) +
+                                                  "\n_geodesic_remesh\necho \"${COMPREPLY[@]}\"\n");
+    EXPECT_EQ(std::system(("cd '" + folder.string() + "' && bash '" + script + "' >answer").c_str()), 0);
+    return contents(folder / "answer");
+  };
+  file("mesh.off", "");
+  EXPECT_EQ(complete("geodesic_remesh --ver", 1), "--vertices --version\n");
+  EXPECT_EQ(complete("geodesic_remesh mes", 1), "mesh.off\n");
+  EXPECT_EQ(complete("geodesic_remesh a b --output-format o", 4), "off obj\n");
+  EXPECT_EQ(complete("geodesic_remesh a b --sizing mes", 4), "mesh.off\n");
+  EXPECT_EQ(complete("geodesic_remesh a b --vertices mes", 4), "\n");
+}
+
+TEST_F(Command_line, zsh_completion_has_every_option)
+{
+  const std::string completion = run("--generate complete-zsh").out;
+  EXPECT_EQ(completion.rfind("#compdef geodesic_remesh\n", 0), 0u);
+  for(const std::string& option : options_of_help(run("--help").out))
+    EXPECT_NE(completion.find("'" + option + "["), std::string::npos) << option;
+  if(!is_installed("command -v zsh"))
+    GTEST_SKIP() << "zsh is not installed, so that nobody has parsed the completion";
+  EXPECT_TRUE(is_installed("zsh -n '" + file("_geodesic_remesh", completion) + "'"));
+}
+
+TEST_F(Command_line, standard_input_and_standard_output)
+{
+  const Outcome through = run("- - --input-format off --vertices 300 <" + mesh("eight"));
+  EXPECT_EQ(through.status, 0) << through.err;
+  EXPECT_NE(through.err.find("Hausdorff"), std::string::npos); // the table makes way for the mesh
+  ASSERT_EQ(run(mesh("eight") + " " + output() + " --vertices 300").status, 0);
+  EXPECT_EQ(through.out, contents(output()));
+
+  const Outcome as_ply = run(mesh("eight") + " - --output-format ply --vertices 300 --quiet");
+  EXPECT_EQ(as_ply.out.rfind("ply\n", 0), 0u);
+  EXPECT_EQ(as_ply.err, "");
+  file("piped.ply", as_ply.out);
+  EXPECT_EQ(run("- " + output("again.off") + " --input-format ply --vertices 200 <'" + (folder / "piped.ply").string() + "'").status, 0);
+  EXPECT_EQ(vertices_and_faces_of_off(output("again.off"))[0], 200u);
+}
+
+TEST_F(Command_line, report_to_standard_output)
+{
+  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 300 --quiet --report -");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("{\n", 0), 0u);
+  EXPECT_EQ(vertices_and_faces_of_off(output())[0], 300u);
+}
+
+TEST_F(Command_line, format_that_is_told_wins_over_the_ending)
+{
+  const std::string input = file("mesh.dat", contents(mesh("eight")));
+  EXPECT_EQ(run(input + " " + output("mesh.stl") + " --input-format off --output-format obj --vertices 300 --quiet").status, 0);
+  EXPECT_NE(contents(output("mesh.stl")).find("\nv "), std::string::npos);
+}
+
+TEST_F(Command_line, wrong_use_of_streams_and_formats)
+{
+  expect_failure("- " + output() + " --vertices 100 </dev/null", 1, "--input-format");
+  expect_failure("- " + output() + " --input-format off --vertices 100 </dev/null", 2, "standard input");
+  expect_failure(mesh("eight") + " - --report - --vertices 100", 3, "twice");
+  expect_failure(mesh("eight") + " " + output() + " --output-format doc --vertices 100", 1, "one of off|obj");
+  const std::string full = "'" GEODESIC_REMESH_PROGRAM "' '" + mesh("eight") + "' - --vertices 100 >/dev/full 2>'" + output() + "'";
+  EXPECT_EQ(WEXITSTATUS(std::system(full.c_str())), 3);
+  EXPECT_EQ(contents(output()), "geodesic_remesh: standard output cannot be written\n");
+}
+
+TEST_F(Command_line, errors_have_colors_on_a_terminal_only)
+{
+  const std::string red = "\033[1;31m";
+  const std::string wrong = "missing.off '" + output() + "' --vertices 100";
+  EXPECT_NE(on_terminal("", wrong).find(red), std::string::npos);
+  EXPECT_EQ(on_terminal("NO_COLOR=1", wrong).find('\033'), std::string::npos);
+  EXPECT_NE(on_terminal("NO_COLOR=", wrong).find(red), std::string::npos); // empty: as if it were not set
+  EXPECT_EQ(on_terminal("TERM=dumb", wrong).find('\033'), std::string::npos);
+  EXPECT_EQ(run(wrong).err.find('\033'), std::string::npos);
+}
+
+TEST_F(Command_line, progress_is_shown_on_a_terminal_only)
+{
+  const std::string usual = "'" + mesh("eight") + "' '" + output() + "' --vertices 300";
+  EXPECT_NE(on_terminal("", usual).find("improvement"), std::string::npos);
+  EXPECT_EQ(on_terminal("", usual + " --quiet"), "");
+  EXPECT_EQ(on_terminal("TERM=dumb", usual).find("improvement"), std::string::npos);
+  EXPECT_EQ(run(usual).err, "");
+}
+
+TEST_F(Command_line, report_follows_its_schema)
+{
+  const std::string python = is_installed("python3 -c 'import jsonschema'")            ? "python3"
+                             : is_installed("/usr/bin/python3 -c 'import jsonschema'") ? "/usr/bin/python3"
+                                                                                       : "";
+  if(python.empty())
+    GTEST_SKIP() << "Python's package jsonschema is not installed";
+  const std::string script = file("validate.py", "import json, sys, jsonschema\n"
+                                                 "schema = json.load(open(sys.argv[1]))\n"
+                                                 "jsonschema.Draft202012Validator.check_schema(schema)\n"
+                                                 "jsonschema.Draft202012Validator(schema).validate(json.load(open(sys.argv[2])))\n");
+  const auto is_valid = [&](const std::string& report) {
+    return std::system((python + " '" + script + "' '" REPORT_SCHEMA "' '" + report + "' 2>/dev/null").c_str()) == 0;
+  };
+  const std::string usual = mesh("eight") + " " + output() + " --vertices 300 --quiet --report " + output("r.json");
+  ASSERT_EQ(run(usual).status, 0);
+  EXPECT_TRUE(is_valid(output("r.json")));
+  ASSERT_EQ(run(usual + " --check --contrast 0.5").status, 0);
+  EXPECT_TRUE(is_valid(output("r.json")));
+  EXPECT_FALSE(is_valid(file("other.json", "{\"version\": \"0\"}")));
+}
