@@ -19,7 +19,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/centroid.h>
+#include <CGAL/spatial_sort.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -27,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace mesh_quality {
@@ -197,14 +201,27 @@ struct One_sided_distance
   double root_mean_square = 0.;
 };
 
+// In an order in which each is near the one before, whatever that of the mesh is: it makes the queries several times as fast.
+template<typename Index, typename Point_of_index>
+void sort_in_space(std::vector<Index>& indices, const Point_of_index& point_of)
+{
+  const auto points = boost::make_function_property_map<Index, Point>(point_of);
+  CGAL::spatial_sort(indices.begin(), indices.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(points)>>(points));
+}
+
 inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t largest_number)
 {
   const std::size_t stride = 1 + from.number_of_vertices() / largest_number;
-  double farthest = 0.;
+  std::vector<Mesh::Vertex_index> vertices;
   std::size_t count = 0;
   for(const auto v : from.vertices())
     if(!from.is_isolated(v) && count++ % stride == 0)
-      farthest = (std::max)(farthest, to.distance(from.point(v)));
+      vertices.push_back(v);
+  sort_in_space(vertices, [&](Mesh::Vertex_index v) -> Point { return from.point(v); });
+  double farthest = 0.;
+  for(const auto v : vertices)
+    farthest = (std::max)(farthest, to.distance(from.point(v)));
   return farthest;
 }
 
@@ -212,9 +229,14 @@ inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t l
 // same meshes give the same figures.
 inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to, std::size_t number_of_samples)
 {
+  std::vector<Mesh::Face_index> faces(from.faces().begin(), from.faces().end());
+  sort_in_space(faces, [&](Mesh::Face_index f) -> Point {
+    const auto p = corners(from, f);
+    return CGAL::centroid(p[0], p[1], p[2]);
+  });
   std::vector<double> areas;
   double total_area = 0.;
-  for(const auto f : from.faces())
+  for(const auto f : faces)
   {
     const auto p = corners(from, f);
     areas.push_back(std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length()) / 2.);
@@ -225,7 +247,7 @@ inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to
   double area_before = 0.;
   std::size_t samples = 0;
   std::size_t index = 0;
-  for(const auto f : from.faces())
+  for(const auto f : faces)
   {
     const auto p = corners(from, f);
     area_before += areas[index++];
