@@ -70,6 +70,11 @@ namespace CGAL {
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
@@ -167,6 +172,11 @@ namespace CGAL {
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, out)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and `Construct_point_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map}
  *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`}
  *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
@@ -223,7 +233,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, vertex_points_of(tmesh, np_in), np_in, input, true);
+  copy_input(tmesh, np_in, input, true);
   const Mesh& surface = input.mesh;
 
   clock.stage("sizing", .03);
@@ -302,7 +312,8 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
  * \brief remeshes a triangulated surface in place.
  *
  * As the other overload, with `tmesh` replaced by the result at the very end. Property maps of `tmesh` other than the points
- * are not carried over.
+ * are not carried over; but those given as `edge_is_constrained_map` and `face_patch_map`, if they can be written to, are filled for the
+ * result as the other overload fills the ones of its output.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
  */
@@ -314,7 +325,7 @@ template <class TriangleMesh, class Target, class NamedParameters = parameters::
 Geodesic_remeshing::Summary geodesic_remeshing(TriangleMesh& tmesh, const Target& target,
                                                const NamedParameters& np = parameters::default_values())
 {
-  return geodesic_remeshing(tmesh, target, tmesh, np, Geodesic_remeshing::internal::of_output_in_place(np));
+  return geodesic_remeshing(tmesh, target, tmesh, np, Geodesic_remeshing::internal::of_output_in_place<TriangleMesh>(np));
 }
 
 } // namespace CGAL

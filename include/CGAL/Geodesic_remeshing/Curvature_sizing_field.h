@@ -99,6 +99,11 @@ public:
    *                    as key type and `%Point_3` as value type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{geom_traits}
+   *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+   *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not finite, or if a
@@ -125,7 +130,7 @@ public:
     for(auto v : vertices(tmesh))
       put(m_length, v, 1.); // isolated vertices
     internal::Input_surface<TriangleMesh> input;
-    internal::copy_input(tmesh, internal::vertex_points_of(tmesh, np), np, input, true);
+    internal::copy_input(tmesh, np, input, true);
     const std::vector<double> lengths = internal::lengths_by_curvature(input.mesh, weights);
     for(std::size_t i = 0; i < lengths.size(); ++i)
       put(m_length, input.vertex_of[i], lengths[i]);

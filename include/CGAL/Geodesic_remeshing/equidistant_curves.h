@@ -101,6 +101,11 @@ halfedge_of_input(const TriangleMesh& tmesh, const Input_surface<TriangleMesh>& 
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and `Construct_point_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
@@ -123,12 +128,12 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
                                   const NamedParameters& np = parameters::default_values())
 {
   using namespace internal;
-  const auto points = vertex_points_of(tmesh, np);
-  using User_point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
+  const auto traits = geom_traits_of<TriangleMesh>(np);
+  using User_point = std::decay_t<decltype(from_point(traits, Point()))>;
   if(!std::is_sorted(values.begin(), values.end()))
     reject("the values of the curves must be in ascending order");
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, points, np, input, true);
+  copy_input(tmesh, np, input, true);
   std::vector<double> function;
   for(auto v : input.vertex_of)
   {
@@ -143,8 +148,7 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
     Equidistant_curve<TriangleMesh, User_point> result{values[curve.level - 1], curve.is_closed, {}, {}};
     for(std::size_t i = curve.begin; i < curve.end; ++i)
     {
-      const Point p = point_at(input.mesh, traced.points[i]);
-      result.points.emplace_back(p.x(), p.y(), p.z());
+      result.points.push_back(from_point(traits, point_at(input.mesh, traced.points[i])));
       result.places.emplace_back(halfedge_of_input(tmesh, input, traced.points[i].halfedge), traced.points[i].position);
     }
     *curves++ = std::move(result);

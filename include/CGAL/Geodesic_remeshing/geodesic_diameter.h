@@ -97,8 +97,8 @@ struct Geodesic_diameter
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

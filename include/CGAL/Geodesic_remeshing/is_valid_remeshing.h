@@ -101,6 +101,11 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{the edges of `tmesh`, beside those of its boundary, that edges of the output must cover}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
@@ -135,6 +140,11 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, remeshed)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return what holds and what does not
@@ -154,11 +164,11 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   using parameters::get_parameter;
   Remeshing_validity result;
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, vertex_points_of(tmesh, np_in), np_in, input, true);
+  copy_input(tmesh, np_in, input, true);
   Input_surface<OutputMesh> output;
   try
   {
-    copy_input(remeshed, vertex_points_of(remeshed, np_out), np_out, output, true);
+    copy_input(remeshed, np_out, output, true);
   }
   catch(const std::invalid_argument&)
   {

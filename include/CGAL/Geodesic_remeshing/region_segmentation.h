@@ -118,6 +118,11 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  *                    as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
@@ -143,7 +148,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
     reject("the curve distance must be positive and finite");
   check_scale(curve_distance);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, vertex_points_of(tmesh, np), np, input);
+  copy_input(tmesh, np, input);
   Working_surface working;
   make_working_surface(input.mesh, longest_working_edge * curve_distance / std::sqrt(.75), working);
   const Intrinsic_triangulation triangulation(working.mesh);

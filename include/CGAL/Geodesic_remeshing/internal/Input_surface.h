@@ -120,10 +120,11 @@ inline void check_fans(const Mesh& mesh)
 
 // Copies the input, in its own order, and rejects what the stages cannot work on: these checks are cheap and
 // made in every build, since on such input the loops of the stages need not end.
-template <class TriangleMesh, class VertexPointMap, class NamedParameters>
-void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const NamedParameters& np,
-                Input_surface<TriangleMesh>& result, bool allow_boundary = false)
+template <class TriangleMesh, class NamedParameters>
+void copy_input(const TriangleMesh& tmesh, const NamedParameters& np, Input_surface<TriangleMesh>& result,
+                bool allow_boundary = false)
 {
+  const Points_of_graph<TriangleMesh, NamedParameters> points(tmesh, np);
   const auto index = vertex_indices_of(tmesh, np);
   const std::vector<char> used = check_faces(tmesh, index, allow_boundary);
   Mesh& mesh = result.mesh;
@@ -134,11 +135,10 @@ void copy_input(const TriangleMesh& tmesh, const VertexPointMap& points, const N
   {
     if(!used[get(index, v)])
       continue;
-    const auto& p = get(points, v);
-    const Point q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    if(!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+    const Point p = points(v);
+    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
       reject("vertex " + std::to_string(get(index, v)) + " has a coordinate that is not finite");
-    copy[get(index, v)] = mesh.add_vertex(q);
+    copy[get(index, v)] = mesh.add_vertex(p);
     result.vertex_of.push_back(v);
   }
   const auto halfedge_index = get_initialized_halfedge_index_map(tmesh, np);

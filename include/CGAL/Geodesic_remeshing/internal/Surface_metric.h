@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_remeshing/internal/Points_of_graph.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -47,18 +48,13 @@ public:
   using Mesh_type = TriangleMesh;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
   using Vertex_index_map = typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type;
   using Face_index_map = typename GetInitializedFaceIndexMap<TriangleMesh, NamedParameters>::const_type;
 
   Surface_metric(const char* function, const TriangleMesh& tmesh, const NamedParameters& np)
     : function(function), mesh(tmesh), vertex_index(get_initialized_vertex_index_map(tmesh, np)),
       face_index(get_initialized_face_index_map(tmesh, np)),
-      m_points(choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                get_const_property_map(CGAL::vertex_point, tmesh))),
-      m_traits(choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits))),
-      m_weights(choose_weights(np))
+      m_points(tmesh, np), m_weights(choose_weights(np))
   {
     check();
   }
@@ -68,9 +64,7 @@ public:
   {
     const auto u = source(h, mesh);
     const auto v = target(h, mesh);
-    const auto squared_distance = m_traits.compute_squared_distance_3_object();
-    const double squared = CGAL::to_double(squared_distance(get(m_points, u), get(m_points, v)));
-    return std::sqrt(squared) * 0.5 * (weight(u) + weight(v));
+    return std::sqrt(CGAL::squared_distance(m_points(u), m_points(v))) * 0.5 * (weight(u) + weight(v));
   }
 
   internal::Vertex index(vertex_descriptor v) const
@@ -103,8 +97,8 @@ private:
   {
     for(const auto v : vertices(mesh))
     {
-      const auto& p = get(m_points, v);
-      if(!std::isfinite(CGAL::to_double(p.x()) + CGAL::to_double(p.y()) + CGAL::to_double(p.z())))
+      const Point p = m_points(v);
+      if(!std::isfinite(p.x() + p.y() + p.z()))
         fail("the coordinates of vertex " + std::to_string(get(vertex_index, v)) + " are not finite");
       if(!(weight(v) > 0.) || !std::isfinite(weight(v)))
         fail("the weight of vertex " + std::to_string(get(vertex_index, v)) + " is not a positive number");
@@ -114,8 +108,7 @@ private:
         fail("face " + std::to_string(get(face_index, f)) + " is not a triangle");
   }
 
-  Vertex_point_map m_points;
-  Traits m_traits;
+  Points_of_graph<TriangleMesh, NamedParameters> m_points;
   Vertex_weight_map m_weights;
 };
 

@@ -86,7 +86,7 @@ private:
   static std::unique_ptr<Input_surface<TriangleMesh>> copy(const TriangleMesh& tmesh, const NamedParameters& np)
   {
     auto result = std::make_unique<Input_surface<TriangleMesh>>();
-    copy_input(tmesh, vertex_points_of(tmesh, np), np, *result, true);
+    copy_input(tmesh, np, *result, true);
     return result;
   }
 

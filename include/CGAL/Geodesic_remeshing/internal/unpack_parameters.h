@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_UNPACK_PARAMETERS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_UNPACK_PARAMETERS_H
 
+#include <CGAL/Geodesic_remeshing/internal/Points_of_graph.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
@@ -62,16 +63,6 @@ Options unpack_options(const NamedParameters& np)
   return Options{choose_parameter(get_parameter(np, internal_np::use_segmentation), true),
                  static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u)),
                  choose_parameter(get_parameter(np, internal_np::use_defect_moves), true)};
-}
-
-template <class TriangleMesh, class NamedParameters>
-auto vertex_points_of(const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type points =
-    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  return points;
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -195,32 +186,34 @@ inline void check_count(const Mesh& mesh, std::size_t number_of_vertices)
                           + ": the topology of the input needs more at its narrowest places");
 }
 
-template <class NamedParameters>
-auto points_only(const NamedParameters& np)
+template <class Map>
+constexpr bool is_writable =
+  std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
+
+// A pack that has one parameter more, if the other pack has it and it can be written to
+template <class Tag, class Pack, class NamedParameters>
+auto with_map_of(const Pack& pack, const NamedParameters& np)
 {
-  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
-    return CGAL::parameters::default_values();
+  if constexpr(is_given<NamedParameters, Tag>)
+  {
+    const auto map = CGAL::parameters::get_parameter(np, Tag());
+    if constexpr(is_writable<std::decay_t<decltype(map)>>)
+      return CGAL::Named_function_parameters<std::decay_t<decltype(map)>, Tag, Pack>(map, pack);
+    else
+      return pack;
+  }
   else
-    return CGAL::parameters::vertex_point_map(CGAL::parameters::get_parameter(np, internal_np::vertex_point));
+    return pack;
 }
 
 // Of the parameters of the input those that hold for the output too, when it takes the input's place
-template <class NamedParameters>
+template <class TriangleMesh, class NamedParameters>
 auto of_output_in_place(const NamedParameters& np)
 {
-  using CGAL::parameters::get_parameter;
-  const auto points = points_only(np);
-  const auto with_edges = [&]
-  {
-    if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
-      return points.edge_is_constrained_map(get_parameter(np, internal_np::edge_is_constrained));
-    else
-      return points;
-  }();
-  if constexpr(is_given<NamedParameters, internal_np::face_patch_t>)
-    return with_edges.face_patch_map(get_parameter(np, internal_np::face_patch));
-  else
-    return with_edges;
+  const auto traits = CGAL::parameters::geom_traits(geom_traits_of<TriangleMesh>(np));
+  const auto with_points = with_map_of<internal_np::vertex_point_t>(traits, np);
+  const auto with_edges = with_map_of<internal_np::edge_is_constrained_t>(with_points, np);
+  return with_map_of<internal_np::face_patch_t>(with_edges, np);
 }
 
 } // namespace internal

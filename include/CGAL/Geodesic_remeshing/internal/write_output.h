@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_WRITE_OUTPUT_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Points_of_graph.h>
 #include <CGAL/Geodesic_remeshing/internal/faces_beside_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 
@@ -18,6 +19,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,19 +37,44 @@ struct Copied_elements
   std::vector<std::pair<Face, typename Traits::face_descriptor>> faces;
 };
 
+template <class Graph, class = void>
+struct keeps_garbage_for_ever : std::false_type
+{};
+template <class Graph>
+struct keeps_garbage_for_ever<Graph, std::void_t<decltype(std::declval<Graph&>().garbage_collection())>> : std::true_type
+{};
+
+// Empties a mesh, but not of the caller's property maps, which clear() would take with it. What CGAL does with an OpenMesh takes
+// quadratic time, as its ranges begin by skipping what is removed, and leaves that behind.
+template <class OutputMesh>
+void remove_elements(OutputMesh& out)
+{
+  if constexpr(keeps_garbage_for_ever<OutputMesh>::value)
+  {
+    const auto all = [](const auto& range) { return std::vector(range.begin(), range.end()); };
+    for(const auto e : all(edges(out)))
+      remove_edge(e, out);
+    for(const auto f : all(faces(out)))
+      remove_face(f, out);
+    for(const auto v : all(vertices(out)))
+      remove_vertex(v, out);
+    if(num_vertices(out) > 0)
+      out.garbage_collection();
+  }
+  else
+    remove_all_elements(out);
+}
+
 template <class OutputMesh, class NamedParameters>
 Copied_elements<OutputMesh> copy_to_output(const Mesh& mesh, OutputMesh& out, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Copied_elements<OutputMesh> copied;
-  remove_all_elements(out); // clear() would take the caller's property maps with it
+  remove_elements(out);
   copy_face_graph(mesh, out,
                   CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(copied.vertices))
                     .halfedge_to_halfedge_output_iterator(std::back_inserter(copied.halfedges))
                     .face_to_face_output_iterator(std::back_inserter(copied.faces)),
-                  CGAL::parameters::vertex_point_map(choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                                      get_property_map(vertex_point, out))));
+                  CGAL::parameters::vertex_point_map(output_points_of(out, np)));
   return copied;
 }
 
