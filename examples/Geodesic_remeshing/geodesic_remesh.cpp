@@ -102,6 +102,7 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
   const auto np = GR::parameters::use_segmentation(options.use_segmentation)
                       .number_of_iterations(options.iterations)
                       .edge_is_constrained_map(transfer.seams())
+                      .protect_constraints(options.protect)
                       .visitor(std::ref(progress));
   const Job job{input.mesh, options, transfer, output, stages};
   if(!options.contrast && options.sizing.empty())
@@ -173,7 +174,7 @@ void run(const Options& options)
   transfer.run();
 
   files.write(options.output, [&](std::ostream& out) {
-    transfer.has_texture() ? transfer.write_textured_obj(out) : write_output(out, output);
+    transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output);
   });
   files.write(options.regions, [&](std::ostream& out) { command_line::write_regions(out, stages); });
   files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });

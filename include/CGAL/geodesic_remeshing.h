@@ -17,6 +17,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
@@ -122,8 +123,7 @@ namespace CGAL {
  *     \cgalParamDefault{no edge but those on the boundary}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_is_constrained_map}
- *     \cgalParamDescription{a property map that tells which vertices of `tmesh` are corners. With all vertices of the boundary the
- *                           boundary is kept exactly.}
+ *     \cgalParamDescription{a property map that tells which vertices of `tmesh` are corners}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
  *                    as key type and `bool` as value type}
  *     \cgalParamDefault{none but those found}
@@ -133,6 +133,12 @@ namespace CGAL {
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
  *                    as key type and a value type that can be compared for equality}
  *     \cgalParamDefault{no patches}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{protect_constraints}
+ *     \cgalParamDescription{whether lines are kept exactly, with all their vertices and edges: the boundary, features, constrained edges, the borders of patches}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{Where edges on lines are shorter or longer than those of the output, triangles beside them cannot be well-shaped.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{use_segmentation}
  *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from the root alone; pieces with boundary are never segmented}
@@ -194,6 +200,13 @@ namespace CGAL {
  *                           between lines that the face belongs to}
  *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
  *                    as key type and a value type that the patches of `tmesh`, or numbers, convert to}
+ *     \cgalParamDefault{nothing is written}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_region_map}
+ *     \cgalParamDescription{filled with the region of the surface (section 5 of the paper) that each face of `out` has its centre in, from 0 to
+ *                           `Summary::number_of_regions - 1`; not every region need have a face}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
+ *                    as key type and a value type that `int` converts to}
  *     \cgalParamDefault{nothing is written}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -296,7 +309,8 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   check_count(remeshed.mesh, n);
 
   clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
-  write_output(input, remeshed, np_in, out, np_out);
+  write_output(input, remeshed, np_in, out, np_out,
+               [&] { return regions_of_faces(surface, pieces, segmentation, remeshed); });
   clock.stop();
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
   summary.number_of_faces = remeshed.mesh.number_of_faces();

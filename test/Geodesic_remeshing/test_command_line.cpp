@@ -12,8 +12,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -32,6 +34,27 @@ std::vector<std::array<double, 3>> points_of_off(const std::string& name)
   for(auto& p : points)
     in >> p[0] >> p[1] >> p[2];
   return points;
+}
+
+// As many as there are edges with one face, where every loop is simple
+int boundary_vertices_of_off(const std::string& name)
+{
+  std::ifstream in(name);
+  std::string word;
+  std::size_t vertices = 0, faces = 0, edges = 0;
+  in >> word >> vertices >> faces >> edges;
+  for(std::size_t i = 0; i < 3 * vertices; ++i)
+    in >> word;
+  std::map<std::pair<std::size_t, std::size_t>, int> faces_at;
+  for(std::size_t f = 0; f < faces; ++f)
+  {
+    std::size_t size = 0;
+    std::array<std::size_t, 3> v{};
+    in >> size >> v[0] >> v[1] >> v[2];
+    for(int i = 0; i < 3; ++i)
+      ++faces_at[std::minmax(v[i], v[(i + 1) % 3])];
+  }
+  return static_cast<int>(std::count_if(faces_at.begin(), faces_at.end(), [](const auto& e) { return e.second == 1; }));
 }
 
 double mean_edge_length_of_off(const std::string& name)
@@ -379,6 +402,34 @@ TEST_F(Command_line, texture_coordinates_of_an_obj_arrive_with_their_seams)
                  2, "without texture coordinates");
 }
 
+// Behind the coordinates, as many programs write them: with a colour that is linear in the coordinates, on each vertex
+TEST_F(Command_line, colors_of_an_obj_arrive)
+{
+  const std::string start = file("c.obj", "v 0 0 0 .5 0 0\nv 1 0 0 1 0 0\nv 0 1 0 .5 1 0\nv 0 0 1 .5 0 1\n"
+                                          "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  ASSERT_EQ(run(start + " " + output("o.obj") + " --vertices 60 --quiet --transfer").status, 0);
+  std::ifstream in(output("o.obj"));
+  std::size_t vertices = 0, faces = 0;
+  for(std::string line; std::getline(in, line);)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    faces += word == "f";
+    if(word != "v")
+      continue;
+    ++vertices;
+    std::array<double, 6> x{};
+    for(double& number : x)
+      ASSERT_TRUE(words >> number) << line;
+    EXPECT_NEAR(x[3], .5 + .5 * x[0], 1e-9);
+    EXPECT_NEAR(x[4], x[1], 1e-9);
+    EXPECT_NEAR(x[5], x[2], 1e-9);
+  }
+  EXPECT_EQ(vertices, 60u);
+  EXPECT_EQ(faces, 116u);
+}
+
 TEST_F(Command_line, unreadable_input)
 {
   expect_bad_input((folder / "missing.off").string(), "cannot be opened");
@@ -412,6 +463,22 @@ TEST_F(Command_line, input_with_a_boundary)
   EXPECT_EQ(report["input"]["boundary_loops"], 1);
   EXPECT_EQ(report["output"]["boundary_loops"], 1);
   EXPECT_EQ(report["check"]["valid"], true);
+}
+
+TEST_F(Command_line, protected_boundary_is_kept_exactly)
+{
+  const std::string open = mesh("nefertiti");
+  ASSERT_EQ(run(open + " " + output() + " --vertices 500 --protect --quiet").status, 0);
+  std::map<std::array<double, 3>, int> found;
+  for(const auto& p : points_of_off(output()))
+    ++found[p];
+  int kept = 0;
+  for(const auto& p : points_of_off(open))
+    kept += found.count(p) != 0;
+  EXPECT_GE(kept, boundary_vertices_of_off(open));
+  fs::remove(output());
+  expect_failure(open + " " + output() + " --vertices 30 --protect", 3,
+                 "the corners and lines of the input need " + std::to_string(boundary_vertices_of_off(open)));
 }
 
 TEST_F(Command_line, features_are_kept)

@@ -4,6 +4,7 @@
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/geodesic_remeshing.h>
@@ -18,6 +19,7 @@
 #include <limits>
 #include <map>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -409,6 +411,105 @@ TEST(Open_surface, boundary_of_constrained_vertices_is_kept_exactly)
   }
 }
 
+// Every edge of a line is an edge of the output that is marked, and there are no others.
+template <class Is_line>
+void expect_lines_kept(const Mesh& input, const Is_line& is_line, const Result& result)
+{
+  std::set<std::pair<Point, Point>> edges;
+  const auto ends = [](const Mesh& mesh, Edge e) { return std::minmax({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))}); };
+  for(Edge e : input.edges())
+    if(is_line(e))
+      edges.insert(ends(input, e));
+  std::size_t found = 0;
+  for(Edge e : result.mesh.edges())
+    if(result.constrained[e])
+    {
+      ++found;
+      EXPECT_EQ(edges.count(ends(result.mesh, e)), 1u) << "an edge that was none, or a part of one";
+    }
+  EXPECT_EQ(found, edges.size());
+}
+
+TEST(Protected_lines, boundary_edges_stay_as_they_are)
+{
+  // shorter than the new edges and longer
+  for(const Mesh& input : {made::disc(10), made::plane(4), made::cylinder(1., 4., 60, 30, false)})
+    for(std::size_t vertices : {200, 1500})
+    {
+      SCOPED_TRACE(vertices);
+      const Result result(input, vertices, parameters::protect_constraints(true));
+      expect_guarantees(input, result, vertices);
+      expect_lines_kept(input, [&](Edge e) { return input.is_border(e); }, result);
+    }
+}
+
+TEST(Protected_lines, features_stay_as_they_are)
+{
+  for(const Straight_case& c : straight_cases())
+  {
+    SCOPED_TRACE(c.name);
+    const Result result(c.mesh, 1500, parameters::features_angle_bound(60.).protect_constraints(true));
+    expect_guarantees(c.mesh, result, 1500);
+    expect_lines_kept(c.mesh, sharp_edges_of(c.mesh), result);
+  }
+}
+
+TEST(Protected_lines, noisy_boundary_of_a_model)
+{
+  Mesh input;
+  ASSERT_TRUE(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/lion-head.off"), input));
+  const Result result(input, 3000, parameters::protect_constraints(true));
+  expect_guarantees(input, result, 3000);
+  expect_lines_kept(input, [&](Edge e) { return input.is_border(e); }, result);
+}
+
+TEST(Protected_lines, too_few_vertices_say_how_many_are_needed)
+{
+  Mesh output;
+  const Mesh input = made::plane(30);
+  try
+  {
+    geodesic_remeshing(input, 119, output, parameters::protect_constraints(true));
+    FAIL();
+  }
+  catch(const GR::Remeshing_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("need 120"), std::string::npos) << error.what();
+  }
+  geodesic_remeshing(input, 119, output, parameters::protect_constraints(false));
+  EXPECT_EQ(output.number_of_vertices(), 119u);
+}
+
+TEST(Protected_lines, edge_length_and_number_of_faces_count_with_them)
+{
+  const Mesh input = made::disc(30); // 180 edges on the boundary
+  Mesh output;
+  geodesic_remeshing(input, GR::Edge_length{.2}, output, parameters::protect_constraints(true));
+  const double inside = 2. / std::sqrt(3.) * CGAL_PI / .04 - .5 * 2. * CGAL_PI / .2;
+  EXPECT_NEAR(output.number_of_vertices(), 180. + inside, .1 * (180. + inside));
+  geodesic_remeshing(input, GR::Number_of_faces{1000}, output, parameters::protect_constraints(true));
+  EXPECT_EQ(output.number_of_faces(), 1000u);
+}
+
+TEST(Open_surface, noisy_boundary_is_followed_where_it_turns)
+{
+  // a boundary that turns at some of its vertices only, so that even spacing would cut those corners
+  Mesh input = made::plane(60);
+  for(Vertex v : input.vertices())
+  {
+    const Point& p = input.point(v);
+    const int x = int(std::lround(p.x()));
+    if(p.y() < 1e-9 && x % 7 == 3)
+      input.point(v) = Point(p.x(), -.55, 0.);
+  }
+  const Segments boundary = lines_of(input, [&](Edge e) { return input.is_border(e); });
+  const Result even(input, 1200, parameters::number_of_iterations(0)); // edges of about 1.8
+  const Result result(input, 1200, parameters::default_values());
+  expect_guarantees(input, result, 1200);
+  EXPECT_LT(distance_of_lines(boundary, result.lines()), .9 * distance_of_lines(boundary, even.lines()));
+  EXPECT_GT(support::quality_of(result.mesh).smallest_angle, 25.);
+}
+
 TEST(Open_surface, number_of_faces_to_one)
 {
   for(const Mesh& input : {made::plane(5), made::disc(8), made::cylinder(1., 4., 60, 30, false)})
@@ -572,6 +673,43 @@ TEST(Patches, in_place)
 }
 
 // ---- components
+
+TEST(Regions_of_faces, are_those_of_the_segmented_surface)
+{
+  const Mesh input = made::rounded(made::cactus_blocks(), 2);
+  GR::Stage_results stages;
+  Mesh output;
+  auto region = output.add_property_map<Face, int>("f:region", -1).first;
+  const GR::Summary summary = geodesic_remeshing(input, 2000, output, parameters::stage_results(std::ref(stages)),
+                                                 parameters::face_region_map(region));
+  const auto of_surface = stages.regions.property_map<Face, int>("f:region").value();
+  std::map<int, double> area, area_of_surface;
+  for(Face f : output.faces())
+  {
+    ASSERT_GE(region[f], 0);
+    ASSERT_LT(region[f], int(summary.number_of_regions));
+    area[region[f]] += PMP::face_area(f, output);
+  }
+  for(Face f : stages.regions.faces())
+    area_of_surface[of_surface[f]] += PMP::face_area(f, stages.regions);
+  EXPECT_GE(area.size(), 3u);
+  const double all = PMP::area(input);
+  for(const auto& a : area_of_surface)
+    EXPECT_NEAR(area[a.first], a.second, .02 * all) << a.first;
+}
+
+TEST(Regions_of_faces, in_place_and_with_lines)
+{
+  Mesh mesh = made::box(3, 2, 2);
+  auto region = mesh.add_property_map<Face, int>("f:region", -1).first;
+  const GR::Summary summary =
+    geodesic_remeshing(mesh, 1000, parameters::features_angle_bound(60.).face_region_map(region));
+  EXPECT_EQ(mesh.number_of_vertices(), 1000u);
+  std::map<int, Vector> normal; // each side of the box is a region
+  for(Face f : mesh.faces())
+    EXPECT_GT(normal.emplace(region[f], normal_of(mesh, f)).first->second * normal_of(mesh, f), 1. - 1e-6);
+  EXPECT_EQ(normal.size(), summary.number_of_regions);
+}
 
 TEST(Many_components, five_thousand_small_ones)
 {

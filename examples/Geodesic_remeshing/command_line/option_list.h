@@ -65,6 +65,7 @@ inline Option_group input_options()
   group.options.add_options()
     ("input-format", po::value<std::string>()->value_name(mesh_formats), "format of INPUT, whatever its name ends with")
     ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners")
+    ("protect", po::bool_switch(), "keep the boundary, and features if sought, exactly, with all their vertices and edges")
     ("no-repair", po::bool_switch(), "refuse an INPUT that is no mesh as it is");
   return group;
 }
@@ -84,7 +85,7 @@ inline Option_group output_options()
   group.options.add_options()
     ("output-format", po::value<std::string>()->value_name(mesh_formats), "format of OUTPUT, whatever its name ends with")
     ("transfer", po::bool_switch(), "carry over what INPUT has beside its mesh: properties of vertices and faces from PLY to "
-     "PLY, texture coordinates, their seams kept, from OBJ to OBJ")
+     "PLY, colours and texture coordinates, their seams kept, from OBJ to OBJ")
     ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
     ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")

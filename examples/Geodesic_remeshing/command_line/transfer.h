@@ -11,7 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_TRANSFER_H
 
 #include "input.h"
-#include "textured_obj.h"
+#include "obj_attributes.h"
 
 #include <CGAL/Geodesic_remeshing/attribute_transfer.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
@@ -29,7 +29,8 @@ namespace command_line {
 using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
 
 // What the file of the input has beside points and faces, carried over to the output (--transfer): from PLY to PLY all scalar
-// properties, colours and normals of vertices and faces; from OBJ to OBJ the texture coordinates, their seams being constrained edges.
+// properties, colours and normals of vertices and faces; from OBJ to OBJ the texture
+// coordinates, their seams being constrained edges, and the colours of vertices.
 class Transfer
 {
 public:
@@ -44,7 +45,7 @@ public:
     if(!input.repairs.empty())
       throw Input_error(file.name() + " had to be repaired: its properties do not belong to the mesh any more");
     if(file.format() == "obj")
-      m_uv = read_texture(file, m_input, m_seams);
+      m_obj = read_obj_attributes(file, m_input, m_seams);
     else
       read_ply(file, input.vertices_in_file);
   }
@@ -64,14 +65,19 @@ public:
       carry();
     for(const auto& carry : m_face_properties)
       carry();
-    if(!m_uv)
+    if(m_obj.colors)
+    {
+      m_output_obj.colors = m_output.add_property_map<Mesh::Vertex_index, Color>("v:obj_color", Color(0., 0., 0.)).first;
+      CGAL::Geodesic_remeshing::transfer_vertex_property(m_input, *m_obj.colors, m_output, m_locations, *m_output_obj.colors);
+    }
+    if(!m_obj.texture)
       return;
-    m_output_uv = m_output.add_property_map<Mesh::Halfedge_index, Texture_coordinates>("h:uv").first;
-    CGAL::Geodesic_remeshing::transfer_corner_property(m_input, *m_uv, m_output, m_locations, *m_output_uv);
+    m_output_obj.texture = m_output.add_property_map<Mesh::Halfedge_index, Texture_coordinates>("h:uv").first;
+    CGAL::Geodesic_remeshing::transfer_corner_property(m_input, *m_obj.texture, m_output, m_locations, *m_output_obj.texture);
   }
 
-  bool has_texture() const { return m_uv.has_value(); }
-  void write_textured_obj(std::ostream& out) const { command_line::write_textured_obj(out, m_output, *m_output_uv); }
+  bool is_from_obj() const { return m_obj.texture || m_obj.colors; }
+  void write_obj(std::ostream& out) const { command_line::write_obj(out, m_output, m_output_obj); }
 
 private:
   void read_ply(const Input_file& file, std::size_t vertices_in_file)
@@ -146,7 +152,7 @@ private:
   Mesh::Property_map<Mesh::Edge_index, bool> m_seams;
   Mesh::Property_map<Mesh::Vertex_index, Location> m_locations;
   std::vector<std::function<void()>> m_vertex_properties, m_face_properties;
-  std::optional<Texture_map> m_uv, m_output_uv;
+  Obj_attributes m_obj, m_output_obj;
 };
 
 } // namespace command_line

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_REGION_SEGMENTATION_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
@@ -48,14 +49,6 @@ template <class VertexDescriptor>
 using Region_tree = std::vector<Region_node<VertexDescriptor>>;
 
 namespace internal {
-
-// The region that most of a working face's vertices are in
-inline int region_of_face(const Mesh& mesh, const Segmentation& segmentation, Face f)
-{
-  const auto v = vertices_of(mesh, f);
-  const int a = segmentation.region[v[0]], b = segmentation.region[v[1]], c = segmentation.region[v[2]];
-  return b == c ? b : a;
-}
 
 // The region that covers most of each input face
 inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Working_surface& working,

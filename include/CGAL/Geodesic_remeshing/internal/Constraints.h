@@ -25,6 +25,7 @@ struct Constraints
 {
   std::vector<char> is_line;   // of an edge: on the boundary, a feature, constrained, or between two patches
   std::vector<char> is_corner; // of a vertex
+  bool are_kept = false;       // the edges on lines are to be edges of the output; then their ends are corners
 
   bool empty() const { return !has_any(is_line) && !has_any(is_corner); }
 

@@ -59,7 +59,7 @@ private:
   void sample_piece(const Line_piece& piece, double spacing, int fewest)
   {
     const double length = length_of(m_metric, piece);
-    const std::size_t n = number_of_intervals(length, spacing, fewest);
+    const std::size_t n = number_of_intervals(piece, length, spacing, fewest);
     double travelled = 0.; // up to the current halfedge
     std::size_t i = 0;
     for(std::size_t j = piece.is_ring ? 0 : 1; j < n; ++j)
@@ -95,7 +95,10 @@ private:
 inline std::vector<Line_piece> trace_lines(const Working_surface& working, const Constraints& constraints)
 {
   const auto is_corner = [&](Vertex v) { return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()]; };
-  return trace_lines(working.mesh, [&](Edge e) { return working.is_line[e]; }, is_corner);
+  std::vector<Line_piece> pieces = trace_lines(working.mesh, [&](Edge e) { return working.is_line[e]; }, is_corner);
+  for(Line_piece& piece : pieces)
+    piece.is_kept = constraints.are_kept;
+  return pieces;
 }
 
 // Up to `farthest`, on a surface that is cut along the lines, so that a line is not near to what lies beyond another

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +47,14 @@ public:
   // line between them.
   Place middle(const Place& from, const Place& to, const Place& beside) const;
 
+  // The part of a line around a place that is not an end, from one neighbour to the other: `at` is between `low` and
+  // `high`, in lengths along the line, which on a closed one go on beyond where it begins. No piece if there is none.
+  struct Stretch { Index piece; double low, at, high; };
+  Stretch stretch(const Place& place, const Place& one, const Place& other) const;
+  Place place_at(Index near, double at) const;
+  // The vertices of the line strictly between two such positions
+  template <class Visit> void for_each_point(Index near, double low, double high, const Visit& visit) const;
+
 private:
   // An edge of a line, from `begin` on (in lengths along the line). A halfedge of it, which may run the other way.
   struct Piece { Index h; bool is_reversed; Index line; double begin, length; };
@@ -63,7 +72,6 @@ private:
   double position(const Place& place, Index piece) const;
   double position_on(const Place& place, const Line& line) const;
   double way_along(Index piece, const Vector& displacement) const;
-  Place place_at(Index near, double at) const;
   Index shortest_line(Index x, Index y) const;
 
   const Surface_walker& walker_;
@@ -268,6 +276,55 @@ inline Place Line_walker::middle(const Place& from, const Place& to, const Place
     way = forward(way) < side ? forward(way) : forward(way) - line.length;
   }
   return place_at(piece, at + .5 * way);
+}
+
+inline Line_walker::Stretch Line_walker::stretch(const Place& place, const Place& one, const Place& other) const
+{
+  const Index piece = piece_at(place), x = vertex_at(place);
+  if(piece == none || (x != none && is_end(x)))
+    return {none, 0., 0., 0.};
+  const Line& line = lines_[pieces_[piece].line];
+  const double at = position(place, piece);
+  double low = position_on(one, line), high = position_on(other, line);
+  if(line.is_ring) {
+    const auto forward = [&](const double d) { return d < 0. ? d + line.length : d; };
+    low = forward(low - at);
+    high = forward(high - at);
+    if(high < low)
+      std::swap(low, high);
+    return {piece, at + high - line.length, at, at + low};
+  }
+  if(high < low)
+    std::swap(low, high);
+  return {piece, low, at, high};
+}
+
+template <class Visit>
+void Line_walker::for_each_point(const Index near, const double low, const double high, const Visit& visit) const
+{
+  const Line& line = lines_[pieces_[near].line];
+  const auto visit_if_between = [&](const Index i, const double turn) {
+    const double at = pieces_[i].begin + turn;
+    if(at > low && at < high)
+      visit(point(start(pieces_[i])));
+    return at;
+  };
+  double turn = 0.;
+  for(Index i = near; visit_if_between(i, turn) > low;) {
+    if(i == line.first && !line.is_ring)
+      break;
+    turn -= i == line.first ? line.length : 0.;
+    i = i == line.first ? line.last - 1 : i - 1;
+  }
+  turn = 0.;
+  for(Index i = near;;) {
+    if(i + 1 == line.last && !line.is_ring)
+      break;
+    turn += i + 1 == line.last ? line.length : 0.;
+    i = i + 1 == line.last ? line.first : i + 1;
+    if(!(visit_if_between(i, turn) < high))
+      break;
+  }
 }
 
 } // namespace internal

@@ -56,6 +56,8 @@ public:
   // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere.
   bool is_fixed(const Index v) const { return pinned_[v]; }
   bool has_lines() const { return has_lines_; }
+  const Line_walker& lines() const { return lines_; }
+  bool keeps_lines() const { return keeps_lines_; } // all their edges
   bool is_on_line(const Index v) const { return has_lines_ && connectivity_.is_on_line(v); }
   bool is_free(const Index v) const { return !is_fixed(v) && !is_on_line(v); }
 
@@ -115,7 +117,7 @@ private:
   const Surface_walker& walker_;
   const Metric metric_;
   const Line_walker lines_;
-  const bool has_lines_;
+  const bool has_lines_, keeps_lines_;
   Lean_triangulation connectivity_;
   Valence_energy energy_;
   std::vector<Spot> spots_;
@@ -130,6 +132,7 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
                                           const Mesh::Property_map<Vertex, bool>& pinned,
                                           const Mesh::Property_map<Edge, bool>& constrained)
   : walker_(walker), metric_(walker.surface()), lines_(walker, constraints), has_lines_(!lines_.empty())
+  , keeps_lines_(constraints.are_kept)
   , connectivity_(mesh, [&](const Edge e) { return constrained[e]; }), energy_(connectivity_, has_lines_)
 {
   spots_.reserve(mesh.number_of_vertices());
@@ -262,6 +265,8 @@ inline bool Remeshed_surface::find_middle(const Index h, Spot& middle) const
 {
   Index from = connectivity_.source(h), to = connectivity_.target(h), beside = to;
   if(connectivity_.is_constrained(h)) {
+    if(keeps_lines_)
+      return false;
     if(is_fixed(from))
       std::swap(from, to);
     for_each_neighbor_on_line(from, [&](const Index w) { beside = w == to ? beside : w; });

@@ -43,7 +43,7 @@ public:
   {
     std::size_t sum = m_corners;
     for(std::size_t i = 0; i < m_pieces.size(); ++i)
-      sum += number_inside(m_pieces[i], number_of_intervals(m_length[i], spacing, m_fewest[i]));
+      sum += number_inside(m_pieces[i], intervals(i, spacing));
     return sum;
   }
 
@@ -52,7 +52,7 @@ public:
     std::size_t sum = 0;
     for(std::size_t i = 0; i < m_pieces.size(); ++i)
       if(m_is_boundary[i])
-        sum += number_of_intervals(m_length[i], spacing, m_fewest[i]);
+        sum += intervals(i, spacing);
     return sum;
   }
 
@@ -72,7 +72,20 @@ public:
     return high;
   }
 
+  // How many more there are at this spacing than if the pieces were divided evenly: none, but for edges that are kept
+  double surplus(double spacing) const
+  {
+    double sum = 0.;
+    for(std::size_t i = 0; i < m_pieces.size(); ++i)
+      if(m_pieces[i].is_kept)
+        sum += 1. - m_length[i] / spacing;
+    return sum;
+  }
+
 private:
+  std::size_t intervals(std::size_t i, double spacing) const
+  { return number_of_intervals(m_pieces[i], m_length[i], spacing, m_fewest[i]); }
+
   const std::vector<Line_piece>& m_pieces;
   const std::vector<int> m_fewest;
   const std::size_t m_corners;
@@ -101,6 +114,20 @@ inline void check_number_of_vertices(std::size_t number, std::size_t topology, s
   reject_number(topology, "the topology of the input needs");
 }
 
+// So many vertices would there be, were the lines divided evenly, if there are `number` with the edges that are kept.
+inline std::size_t number_if_even(const std::vector<Extent>& extents, const Line_budget& lines, std::size_t number)
+{
+  const double most = static_cast<double>(number);
+  std::size_t even = number;
+  for(int i = 0; i < 3; ++i)
+  {
+    const double edge_length =
+      edge_length_for(extents, even, [](const Extent& e, double length) { return e.wanted(length); });
+    even = static_cast<std::size_t>((std::max)(.25 * most, most - lines.surplus(edge_length)));
+  }
+  return (std::max)(even, std::size_t(4));
+}
+
 // `number` is that of the target if it is a number, else what follows from the area alone.
 template <class Target>
 Vertex_budget make_budget(const Target& target, const Working_surface& working, std::size_t number,
@@ -111,19 +138,23 @@ Vertex_budget make_budget(const Target& target, const Working_surface& working, 
   count_corners(working.mesh, constraints, extents);
   const Line_budget lines(working.mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
   const std::size_t fewest = sum_over(extents, [](const Extent& e) { return e.fewest(); });
+  if(constraints.are_kept)
+    for(Extent& e : extents)
+      e.corners = 0; // they are what `Line_budget::surplus()` counts
   double spacing = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), number);
   if constexpr(std::is_same<Target, Edge_length>::value)
-    number = static_cast<std::size_t>(std::llround(
-      sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })));
+    number = (std::max)(fewest, static_cast<std::size_t>(std::llround((std::max)(0., lines.surplus(spacing)
+      + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })))));
   else if constexpr(std::is_same<Target, Number_of_faces>::value)
     number += (target.value + lines.edges_on_boundary(spacing)) / 2 - target.value / 2; // F = 2 V - 2 chi - B
   check_number_of_vertices(number, fewest, lines.fewest());
-  const double edge_length = edge_length_for(extents, number, wanted);
+  const std::size_t even = constraints.are_kept ? number_if_even(extents, lines, number) : number;
+  const double edge_length = edge_length_for(extents, even, wanted);
   if constexpr(!std::is_same<Target, Number_of_faces>::value)
     spacing = edge_length;
   const auto wanted_of_curves = [](const Extent& e, double edge_length) { return e.wanted_of_curves(edge_length); };
   return Vertex_budget{number, edge_length, lines.spacing_for(spacing, number),
-                       edge_length_for(extents, number, wanted_of_curves)};
+                       edge_length_for(extents, even, wanted_of_curves)};
 }
 
 } // namespace internal

@@ -164,7 +164,8 @@ inline void Vertex_count::find_edge_splits()
     if((h & 3) == 3 || table_.is_removed_face(Lean_triangulation::face(h)) || table_.opposite(h) < h)
       continue;
     const Index v = table_.source(h), w = table_.target(h);
-    if(!remeshed_.is_on_line(v) || !remeshed_.is_on_line(w))
+    if(!remeshed_.is_on_line(v) || !remeshed_.is_on_line(w)
+       || (remeshed_.keeps_lines() && table_.is_constrained(h)))
       continue;
     const double size = size_cost(v, w), last = table_.is_constrained(h) ? last_resort : .5 * last_resort;
     changes_.push_back({remeshed_.energy().of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});

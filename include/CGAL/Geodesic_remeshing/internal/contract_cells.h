@@ -11,8 +11,10 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CONTRACT_CELLS_H
 
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
+#include <CGAL/Geodesic_remeshing/internal/open_separating_triangles.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <queue>
 #include <utility>
@@ -61,6 +63,7 @@ public:
         before = left.size();
         left = contract(left, into_any_neighbour);
       }
+    left.erase(std::remove_if(left.begin(), left.end(), [this](Vertex v) { return contract_along_line(v); }), left.end());
     return left;
   }
 
@@ -209,6 +212,25 @@ private:
       for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(w)))
         m_mark[m_mesh.source(h)] = w.idx();
       if(contract_into(v, w))
+        return true;
+    }
+    return false;
+  }
+
+  // What is left on a line is in the way of its edges: where a separating triangle keeps it from going, flips open that.
+  bool contract_along_line(Vertex v)
+  {
+    if(!m_is_on_line[v])
+      return false;
+    std::vector<Halfedge> along;
+    for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      if(m_is_line[m_mesh.edge(h)])
+        along.push_back(m_mesh.opposite(h));
+    for(Halfedge h : along)
+    {
+      open_separating_triangles(m_mesh, h, [this](Edge e) { return m_is_line[e] != 0; });
+      mark_ring(m_mesh.target(h));
+      if(contract_into(v, m_mesh.target(h)))
         return true;
     }
     return false;

@@ -142,6 +142,14 @@ void mark_given_lines(const TriangleMesh& tmesh, const NamedParameters& np, cons
   }
 }
 
+// Where edges are to stay as they are, their ends have to.
+inline void mark_ends_of_lines(const Mesh& mesh, Constraints& constraints)
+{
+  for(Edge e : mesh.edges())
+    for(int i = 0; i < 2; ++i)
+      constraints.is_corner[mesh.vertex(e, i).idx()] |= constraints.is_line[e.idx()];
+}
+
 // All that the output has to follow: the boundary, the features, the edges and vertices that the user has
 // constrained, and the borders of his patches.
 template <class TriangleMesh, class NamedParameters>
@@ -167,6 +175,10 @@ Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& n
     if(bound <= 180.)
       add_features(mesh, edge_length, bound, result);
   }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::protect_constraints_t>::value)
+    result.are_kept = get_parameter(np, internal_np::protect_constraints);
+  if(result.are_kept)
+    mark_ends_of_lines(mesh, result);
   find_corners(mesh, edge_length, result);
   return result;
 }

@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
+#include <CGAL/Geodesic_remeshing/internal/Line_fit.h>
 #include <CGAL/Geodesic_remeshing/internal/Nearest_vertices.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
@@ -144,6 +145,7 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   if(!recover_tips_and_remove_defects(remeshed, parameters,
                                       [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
     return;
+  Line_fit(remeshed, parameters.edge_length).run();
   for(int round = 0; round < polishings && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
   // Again, because what parts one pair may bring another together; last at the cost of angles.
   for(const double angle : {30., 30., 25.})

@@ -25,6 +25,32 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
+// At an edge or a vertex a walk may begin in any of the faces there: in the one from which it comes nearest to where it is to go.
+inline Place walk_into(const Surface_walker& walker, const Place& from, const Vector& way)
+{
+  const Point goal = walker.point(from) + way;
+  Place best = from;
+  double least = infinity;
+  walker.for_each_face_at(from, [&](Face f) {
+    const Place place = walker.walk(Place{f, coordinates_in(walker.surface(), from, f)}, way);
+    const double distance = squared_distance(walker.point(place), goal);
+    if(distance < least)
+    {
+      least = distance;
+      best = place;
+    }
+  });
+  return best;
+}
+
+// Of the way from corner i of a face to its centre: where this part of it leads
+inline Place towards_centre(const Surface_walker& walker, const std::array<Place, 3>& corners, int i, double part)
+{
+  const Point p = walker.point(corners[i]);
+  const Vector to_centre = ((walker.point(corners[(i + 1) % 3]) - p) + (walker.point(corners[(i + 2) % 3]) - p)) / 3.;
+  return walk_into(walker, corners[i], part * to_centre);
+}
+
 // Finds the input faces that an output face lies over, by walking on the input surface from its corners, whose places are known.
 template <class TriangleMesh>
 class Corner_locator
@@ -63,9 +89,7 @@ public:
   // Of the way from corner i to the centre: where this part of it leads
   Place towards_centre(const std::array<Place, 3>& corners, int i, double part) const
   {
-    const Point p = m_walker.point(corners[i]);
-    const Vector to_centre = ((m_walker.point(corners[(i + 1) % 3]) - p) + (m_walker.point(corners[(i + 2) % 3]) - p)) / 3.;
-    return walk_into(corners[i], part * to_centre);
+    return internal::towards_centre(m_walker, corners, i, part);
   }
 
   // The place of corner i in the input face that the output face begins in
@@ -88,24 +112,6 @@ private:
     auto result = std::make_unique<Input_surface<TriangleMesh>>();
     copy_input(tmesh, np, *result, true);
     return result;
-  }
-
-  // At an edge or a vertex the walk may begin in any of the faces there: in the one whose walk comes nearest to where it is to go.
-  Place walk_into(const Place& from, const Vector& way) const
-  {
-    const Point goal = m_walker.point(from) + way;
-    Place best = from;
-    double least = infinity;
-    m_walker.for_each_face_at(from, [&](Face f) {
-      const Place place = m_walker.walk(Place{f, coordinates_in(m_input->mesh, from, f)}, way);
-      const double distance = squared_distance(m_walker.point(place), goal);
-      if(distance < least)
-      {
-        least = distance;
-        best = place;
-      }
-    });
-    return best;
   }
 
   // Are all vertices that carry weight in the place vertices of the face?

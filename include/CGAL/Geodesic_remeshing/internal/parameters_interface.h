@@ -16,6 +16,7 @@ CGAL_add_named_parameter(vertex_distance_map_t, vertex_distance_map, vertex_dist
 CGAL_add_named_parameter(use_defect_moves_t, use_defect_moves, use_defect_moves)
 CGAL_add_named_parameter(stage_results_t, stage_results, stage_results)
 CGAL_add_named_parameter(vertex_location_map_t, vertex_location_map, vertex_location_map)
+CGAL_add_named_parameter(face_region_map_t, face_region_map, face_region_map)
 CGAL_add_named_parameter(sizing_field_t, sizing_field, sizing_field)
 CGAL_add_named_parameter(gradation_t, gradation, gradation)
 CGAL_add_named_parameter(maximum_length_t, maximum_length, maximum_length)

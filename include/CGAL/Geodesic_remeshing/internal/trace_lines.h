@@ -28,6 +28,7 @@ struct Line_piece
 {
   std::vector<Halfedge> halfedges;
   bool is_ring;
+  bool is_kept = false; // an edge of the input that is to be an edge of the output
 };
 
 inline double length_of(const Metric& metric, const Line_piece& piece)
@@ -109,8 +110,10 @@ inline std::vector<int> fewest_intervals(const Mesh& mesh, const std::vector<Lin
   return fewest;
 }
 
-inline std::size_t number_of_intervals(double length, double spacing, int fewest)
+inline std::size_t number_of_intervals(const Line_piece& piece, double length, double spacing, int fewest)
 {
+  if(piece.is_kept)
+    return 1;
   return (std::max)(static_cast<std::size_t>(fewest), static_cast<std::size_t>(std::llround(length / spacing)));
 }
 

@@ -213,7 +213,8 @@ auto of_output_in_place(const NamedParameters& np)
   const auto traits = CGAL::parameters::geom_traits(geom_traits_of<TriangleMesh>(np));
   const auto with_points = with_map_of<internal_np::vertex_point_t>(traits, np);
   const auto with_edges = with_map_of<internal_np::edge_is_constrained_t>(with_points, np);
-  return with_map_of<internal_np::face_patch_t>(with_edges, np);
+  const auto with_patches = with_map_of<internal_np::face_patch_t>(with_edges, np);
+  return with_map_of<internal_np::face_region_map_t>(with_patches, np);
 }
 
 } // namespace internal

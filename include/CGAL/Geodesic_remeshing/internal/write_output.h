@@ -114,10 +114,11 @@ auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mes
     return piece;
 }
 
-// Replaces the output by the result and fills the maps that the parameters of the output name.
-template <class TriangleMesh, class OutputMesh, class NamedParametersIn, class NamedParametersOut>
+// Replaces the output by the result and fills the maps that the parameters of the output name. `regions()` gives the region of each
+// face, where they are wanted.
+template <class TriangleMesh, class OutputMesh, class NamedParametersIn, class NamedParametersOut, class Regions>
 void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed, const NamedParametersIn& np_in,
-                  OutputMesh& out, const NamedParametersOut& np_out)
+                  OutputMesh& out, const NamedParametersOut& np_out, const Regions& regions)
 {
   using CGAL::parameters::get_parameter;
   constexpr bool wants_patches = is_given<NamedParametersOut, internal_np::face_patch_t>;
@@ -128,6 +129,8 @@ void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& r
     else
       return 0;
   }();
+  constexpr bool wants_regions = is_given<NamedParametersOut, internal_np::face_region_map_t>;
+  const std::vector<int> region_of = wants_regions ? regions() : std::vector<int>();
   const Copied_elements<OutputMesh> copied = copy_to_output(remeshed.mesh, out, np_out);
   if constexpr(is_given<NamedParametersOut, internal_np::vertex_location_map_t>)
     write_locations(input, remeshed, copied, get_parameter(np_out, internal_np::vertex_location_map));
@@ -144,6 +147,9 @@ void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& r
     for(const auto& f : copied.faces)
       put(map, f.second, static_cast<Patch>(patches[f.first]));
   }
+  if constexpr(wants_regions)
+    for(const auto& f : copied.faces)
+      put(get_parameter(np_out, internal_np::face_region_map), f.second, region_of[f.first]);
 }
 
 } // namespace internal
