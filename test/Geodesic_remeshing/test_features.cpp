@@ -792,7 +792,7 @@ TEST(Lines, pieces_cover_every_line_once_and_end_at_corners)
     SCOPED_TRACE(c.name);
     internal::Input_surface<Mesh> input;
     const auto np = parameters::features_angle_bound(60.);
-    internal::copy_input(c.mesh, c.mesh.points(), np, input, true);
+    internal::copy_input(c.mesh, np, input, true);
     const Constraints constraints = internal::find_constraints(c.mesh, np, input, .2);
     std::size_t edges = 0;
     for(const auto& piece : internal::trace_lines(input.mesh, constraints))
@@ -824,7 +824,7 @@ TEST(Lines, corners_depend_on_the_scale)
     if(input.point(v).y() == 0.)
       input.point(v) = Point(input.point(v).x(), int(std::lround(input.point(v).x())) % 2 == 0 ? -.6 : .6, 0.);
   internal::Input_surface<Mesh> copy;
-  internal::copy_input(input, input.points(), parameters::default_values(), copy, true);
+  internal::copy_input(input, parameters::default_values(), copy, true);
   const auto corners = [&](double edge_length)
   {
     const Constraints c = internal::find_constraints(input, parameters::default_values(), copy, edge_length);
@@ -865,7 +865,7 @@ TEST(Lines, cutting_along_them_leaves_the_pieces_apart)
     SCOPED_TRACE(c.name);
     internal::Input_surface<Mesh> input;
     const auto np = parameters::features_angle_bound(60.);
-    internal::copy_input(c.mesh, c.mesh.points(), np, input, true);
+    internal::copy_input(c.mesh, np, input, true);
     const Constraints constraints = internal::find_constraints(c.mesh, np, input, .5);
     internal::Working_surface working, cut;
     internal::make_working_surface(input.mesh, constraints, 1., working);
@@ -899,7 +899,7 @@ TEST(Lines, samples_divide_each_piece_evenly)
   const Mesh mesh = made::box(4, 3, 2);
   internal::Input_surface<Mesh> input;
   const auto np = parameters::features_angle_bound(60.);
-  internal::copy_input(mesh, mesh.points(), np, input, true);
+  internal::copy_input(mesh, np, input, true);
   const Constraints constraints = internal::find_constraints(mesh, np, input, .3);
   internal::Working_surface working;
   internal::make_working_surface(input.mesh, constraints, .45, working);
