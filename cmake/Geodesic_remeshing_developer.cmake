@@ -15,7 +15,8 @@ endif()
 add_library(geodesic_remeshing_developer INTERFACE)
 target_link_libraries(geodesic_remeshing_developer INTERFACE Geodesic_remeshing::Geodesic_remeshing CGAL::Data)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  target_compile_options(geodesic_remeshing_developer INTERFACE -Wall -Wextra -Wpedantic -Werror)
+  target_compile_options(geodesic_remeshing_developer INTERFACE -Wall -Wextra -Wpedantic
+    $<$<BOOL:${GEODESIC_REMESHING_WARNINGS_AS_ERRORS}>:-Werror>)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # a precompiled header without a time stamp is the same bytes each time, which ccache needs
     target_compile_options(geodesic_remeshing_developer INTERFACE "SHELL:-Xclang -fno-pch-timestamp")

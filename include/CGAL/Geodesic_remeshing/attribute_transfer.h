@@ -54,7 +54,7 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
   using Value = typename boost::property_traits<OutputMap>::value_type;
   for(auto v : vertices(remeshed))
   {
-    const auto& location = get(location_map, v);
+    const auto location = get(location_map, v);
     const auto h = halfedge(location.first, tmesh);
     put(output_map, v, internal::interpolate<Value>(get(input_map, source(h, tmesh)), get(input_map, target(h, tmesh)),
                                                     get(input_map, target(next(h, tmesh), tmesh)), location.second));

@@ -79,7 +79,7 @@ public:
     auto h = halfedge(f, remeshed);
     for(Place& place : result)
     {
-      const auto& location = get(locations, source(h, remeshed));
+      const auto location = get(locations, source(h, remeshed));
       place = Place{m_face[m_index(location.first)], {{location.second[0], location.second[1], location.second[2]}}};
       h = next(h, remeshed);
     }
