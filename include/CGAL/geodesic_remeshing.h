@@ -17,6 +17,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
@@ -29,6 +30,7 @@
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <cmath>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -238,6 +240,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
                                                const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace Geodesic_remeshing::internal;
+  static_assert(!std::is_const<OutputMesh>::value, "geodesic_remeshing: a mesh to be filled or replaced cannot be const");
+  check_parameters<NamedParametersIn, Parameters_of_input<NamedParametersOut>>();
+  check_parameters<NamedParametersOut, Parameters_of_output>();
   const auto options = unpack_options(np_in);
   decltype(auto) visitor = visitor_of(np_in);
   Geodesic_remeshing::Stage_results* const kept = stage_results_of(np_in);

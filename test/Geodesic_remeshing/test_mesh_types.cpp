@@ -1,4 +1,5 @@
 #include "made_surfaces.h"
+#include "test_support.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
@@ -27,10 +28,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <functional>
+#include <iterator>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -375,3 +378,87 @@ TEST(In_place, a_map_that_can_only_be_read_is_only_read)
   EXPECT_EQ(mesh.number_of_vertices(), 150u);
 }
 
+
+// ---- named parameters that other tests have not, and all of them together
+
+namespace {
+
+// Indices in the reverse of the mesh's own order
+template <class Range>
+auto backwards(const Range& range)
+{
+  std::map<std::decay_t<decltype(*range.begin())>, std::size_t> result;
+  std::size_t i = range.size();
+  for(const auto d : range)
+    result[d] = --i;
+  return result;
+}
+
+template <class Map>
+auto as_property_map(Map& map)
+{
+  return boost::make_assoc_property_map(map);
+}
+
+} // namespace
+
+TEST(Named_parameters_of_meshes, index_maps_are_a_matter_of_speed)
+{
+  const Mesh input = made::torus(3, 1, 24, 10);
+  const auto vertex = backwards(input.vertices());
+  const auto halfedge = backwards(input.halfedges());
+  const auto face = backwards(input.faces());
+  const auto all = gp::vertex_index_map(as_property_map(vertex))
+                     .halfedge_index_map(as_property_map(halfedge))
+                     .face_index_map(as_property_map(face));
+  Mesh output, expected;
+  CGAL::geodesic_remeshing(input, 200, output, all);
+  CGAL::geodesic_remeshing(input, 200, expected);
+  EXPECT_TRUE(support::is_same_mesh(output, expected));
+  EXPECT_NEAR(GR::geodesic_diameter(input, all).distance, GR::geodesic_diameter(input).distance, 1e-9);
+  EXPECT_TRUE(GR::is_valid_remeshing(input, output, all));
+}
+
+TEST(Named_parameters_of_meshes, defect_moves_leave_fewer_irregular_vertices)
+{
+  const Mesh input = made::sphere(4);
+  Mesh with, without;
+  CGAL::geodesic_remeshing(input, 2000, with, gp::use_defect_moves(true));
+  CGAL::geodesic_remeshing(input, 2000, without, gp::use_defect_moves(false));
+  EXPECT_LT(support::quality_of(with).percent_irregular, support::quality_of(without).percent_irregular);
+}
+
+TEST(Named_parameters_of_meshes, all_together_in_any_order)
+{
+  const Mesh input = made::box(6, 6, 6);
+  const auto vertex = backwards(input.vertices());
+  const auto vertex_index = as_property_map(vertex);
+  const auto length = CGAL::Constant_property_map<made::Vertex, double>(1.);
+  const auto no_edge = CGAL::Static_boolean_property_map<Mesh::Edge_index, false>();
+  const auto no_vertex = CGAL::Static_boolean_property_map<made::Vertex, false>();
+  const auto one_patch = CGAL::Static_boolean_property_map<Mesh::Face_index, true>();
+  GR::Default_visitor visitor;
+  GR::Stage_results stages;
+  Mesh once, reversed;
+  auto location = once.add_property_map<made::Vertex, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:place").first;
+  auto is_line = once.add_property_map<Mesh::Edge_index, bool>("e:line").first;
+  auto patch = once.add_property_map<Mesh::Face_index, int>("f:patch").first;
+  auto region = once.add_property_map<Mesh::Face_index, int>("f:region").first;
+  CGAL::geodesic_remeshing(input, 400, once,
+                           gp::vertex_point_map(input.points()).geom_traits(Epick()).vertex_index_map(vertex_index)
+                             .sizing_field(length).gradation(.2).minimum_length(.01).maximum_length(10.)
+                             .features_angle_bound(60.).edge_is_constrained_map(no_edge).vertex_is_constrained_map(no_vertex)
+                             .face_patch_map(one_patch).protect_constraints(false).use_segmentation(false).number_of_iterations(2u).use_defect_moves(false)
+                             .visitor(std::ref(visitor)).stage_results(std::ref(stages)),
+                           gp::vertex_point_map(once.points()).geom_traits(Epick()).vertex_location_map(location)
+                             .edge_is_constrained_map(is_line).face_patch_map(patch).face_region_map(region));
+  CGAL::geodesic_remeshing(input, 400, reversed,
+                           gp::stage_results(std::ref(stages)).visitor(visitor).use_defect_moves(false).number_of_iterations(2)
+                             .use_segmentation(false).protect_constraints(false).face_patch_map(one_patch).vertex_is_constrained_map(no_vertex)
+                             .edge_is_constrained_map(no_edge).features_angle_bound(60).maximum_length(10).minimum_length(.01f)
+                             .gradation(.2).sizing_field(length).vertex_index_map(vertex_index).geom_traits(Epick())
+                             .vertex_point_map(input.points()));
+  EXPECT_TRUE(support::is_same_mesh(once, reversed));
+  EXPECT_TRUE(GR::is_valid_remeshing(input, once, gp::line_tolerance(1e-9).surface_tolerance(1e-9).expected_number_of_vertices(400)));
+  EXPECT_GT(std::count(is_line.begin(), is_line.end(), true), 12);
+}

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 
@@ -128,6 +129,7 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
                                   const NamedParameters& np = parameters::default_values())
 {
   using namespace internal;
+  check_parameters<NamedParameters, Parameters_of_mesh>();
   const auto traits = geom_traits_of<TriangleMesh>(np);
   using User_point = std::decay_t<decltype(from_point(traits, Point()))>;
   if(!std::is_sorted(values.begin(), values.end()))

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Surface_metric.h>
 #include <CGAL/Geodesic_remeshing/internal/farthest_points.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 
 #include <cstddef>
@@ -114,6 +115,8 @@ template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::De
 Geodesic_diameter<TriangleMesh> geodesic_diameter(const TriangleMesh& tmesh,
                                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
+  internal::check_parameters<NamedParameters, internal::Parameters_of_mesh::And<internal_np::vertex_weight_map_t,
+                                                                                internal_np::vertex_distance_map_t>>();
   const internal::Surface_metric<TriangleMesh, NamedParameters> metric("geodesic_diameter()", tmesh, np);
   const auto triangulation = internal::triangulate_intrinsically(metric);
   internal::Fast_marching marching(triangulation);

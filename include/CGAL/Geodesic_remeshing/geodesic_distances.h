@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_sources.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 
 #include <cstddef>
@@ -43,6 +44,7 @@ template <typename Metric, typename NamedParameters, typename VertexDistanceMap>
 void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Front_shape shape,
                 VertexDistanceMap vertex_distance_map, const NamedParameters& np)
 {
+  check_parameters<NamedParameters, Parameters_of_mesh::And<internal_np::vertex_weight_map_t, internal_np::maximum_distance_t>>();
   const double maximum_distance = choose_parameter(get_parameter(np, CGAL::internal_np::maximum_distance), infinity);
   const Intrinsic_triangulation triangulation = triangulate_intrinsically(metric, sources.faces());
   Fast_marching marching(triangulation);

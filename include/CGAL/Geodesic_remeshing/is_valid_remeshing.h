@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/compare_surfaces.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -162,6 +163,10 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   using namespace internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  check_parameters<NamedParametersIn,
+                   Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::expected_number_of_vertices_t,
+                                           internal_np::surface_tolerance_t, internal_np::line_tolerance_t>>();
+  check_parameters<NamedParametersOut, Parameters_of_mesh>();
   Remeshing_validity result;
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, np_in, input, true);

@@ -137,6 +137,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
                     const NamedParameters& np = parameters::default_values())
 {
   using namespace internal;
+  check_parameters<NamedParameters, Parameters_of_mesh>();
   if(!(curve_distance > 0.) || !std::isfinite(curve_distance))
     reject("the curve distance must be positive and finite");
   check_scale(curve_distance);

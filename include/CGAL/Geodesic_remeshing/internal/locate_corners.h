@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
 #include <algorithm>
@@ -109,6 +110,7 @@ private:
   template <class NamedParameters>
   static std::unique_ptr<Input_surface<TriangleMesh>> copy(const TriangleMesh& tmesh, const NamedParameters& np)
   {
+    check_parameters<NamedParameters, Parameters_of_mesh>();
     auto result = std::make_unique<Input_surface<TriangleMesh>>();
     copy_input(tmesh, np, *result, true);
     return result;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Points_of_graph.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
@@ -175,7 +176,11 @@ Stage_results* stage_results_of(const NamedParameters& np)
   if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::stage_results_t>::value)
     return nullptr;
   else
-    return &get_parameter_reference(np, internal_np::stage_results);
+  {
+    static_assert(std::is_convertible<decltype(get_parameter_reference(np, internal_np::stage_results)), Stage_results&>::value,
+                  "geodesic_remeshing: pass the stage results by std::ref(), a copy would be lost");
+    return &static_cast<Stage_results&>(get_parameter_reference(np, internal_np::stage_results));
+  }
 }
 
 inline void check_count(const Mesh& mesh, std::size_t number_of_vertices)
@@ -210,8 +215,9 @@ auto with_map_of(const Pack& pack, const NamedParameters& np)
 template <class TriangleMesh, class NamedParameters>
 auto of_output_in_place(const NamedParameters& np)
 {
-  const auto traits = CGAL::parameters::geom_traits(geom_traits_of<TriangleMesh>(np));
-  const auto with_points = with_map_of<internal_np::vertex_point_t>(traits, np);
+  const CGAL::Named_function_parameters<bool, in_place_t> in_place(true);
+  const auto with_traits = in_place.geom_traits(geom_traits_of<TriangleMesh>(np));
+  const auto with_points = with_map_of<internal_np::vertex_point_t>(with_traits, np);
   const auto with_edges = with_map_of<internal_np::edge_is_constrained_t>(with_points, np);
   const auto with_patches = with_map_of<internal_np::face_patch_t>(with_edges, np);
   return with_map_of<internal_np::face_region_map_t>(with_patches, np);
