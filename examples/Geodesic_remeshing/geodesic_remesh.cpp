@@ -10,6 +10,7 @@
 // Remeshes a file: see --help. The table goes to standard output, the progress and the one line about an error to standard
 // error; the exit status tells whose fault it was.
 
+#include "command_line/html_report.h"
 #include "command_line/input.h"
 #include "command_line/options.h"
 #include "command_line/output.h"
@@ -68,7 +69,7 @@ struct Job
   template <class NamedParameters>
   GR::Summary remesh_and_keep_stages(const NamedParameters& np) const
   {
-    if(options.regions.empty() && options.curves.empty())
+    if(options.regions.empty() && options.curves.empty() && options.html.empty())
       return remesh_to_target(np);
     return remesh_to_target(np.stage_results(std::ref(stages)));
   }
@@ -129,16 +130,21 @@ std::string output_format_of(const Options& options, const command_line::Input_f
   return options.output == "-" ? input.format() : command_line::format_of(options.output);
 }
 
+std::string name_in_title(const std::string& path)
+{
+  return path.substr(path.find_last_of("/\\") + 1);
+}
+
 void announce_all(command_line::Output_files& files, const Options& options)
 {
-  for(const std::string& name : {options.output, options.report, options.regions, options.curves})
+  for(const std::string& name : {options.output, options.report, options.html, options.regions, options.curves})
     if(!name.empty())
       files.announce(name);
 }
 
 void measure(Report& report, const Mesh& input, const Mesh& output, const Options& options)
 {
-  if(!options.quiet || !options.report.empty())
+  if(!options.quiet || !options.report.empty() || !options.html.empty())
   {
     report.input = mesh_quality::measure_quality(input);
     report.output = mesh_quality::measure_quality(output);
@@ -180,6 +186,9 @@ void run(const Options& options)
   files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });
   measure(report, input.mesh, output, options);
   files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
+  files.write(options.html, [&](std::ostream& out) {
+    command_line::write_html(out, name_in_title(file.name()), report, input.mesh, output, stages);
+  });
   files.put_into_place();
   if(!options.quiet)
     command_line::write_table(messages, report);

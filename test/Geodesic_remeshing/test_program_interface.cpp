@@ -3,7 +3,9 @@
 #include "command_line_support.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -57,6 +59,35 @@ std::string on_terminal(const std::string& settings, const std::string& argument
   close(terminal);
   waitpid(child, nullptr, 0);
   return written;
+}
+
+// What the page of --html has to show
+nlohmann::json data_of_page(const std::string& page)
+{
+  const std::string start = "<script id=\"data\" type=\"application/json\">";
+  const std::size_t from = page.find(start) + start.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+std::size_t bytes_of_base64(const std::string& text)
+{
+  return text.size() / 4 * 3 - (text.empty() ? 0 : (text[text.size() - 1] == '=') + (text[text.size() - 2] == '='));
+}
+
+std::size_t sum_of(const nlohmann::json& numbers)
+{
+  std::size_t sum = 0;
+  for(const std::size_t n : numbers)
+    sum += n;
+  return sum;
+}
+
+std::string installed_browser()
+{
+  for(const char* name : {"chromium", "chromium-browser", "google-chrome"})
+    if(is_installed(std::string("command -v ") + name))
+      return name;
+  return {};
 }
 
 } // namespace
@@ -222,3 +253,73 @@ TEST_F(Command_line, report_follows_its_schema)
   EXPECT_TRUE(is_valid(output("r.json")));
   EXPECT_FALSE(is_valid(file("other.json", "{\"version\": \"0\"}")));
 }
+
+TEST_F(Command_line, page_holds_both_meshes_and_the_report)
+{
+  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 500 --quiet --html " + output("o.html") + " --report " + output("r.json"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto data = data_of_page(contents(output("o.html")));
+  EXPECT_EQ(data["report"], nlohmann::json::parse(contents(output("r.json"))));
+  EXPECT_EQ(data["title"], "eight.off");
+  for(const char* side : {"input", "output"})
+  {
+    const auto& shown = data["meshes"][side];
+    const std::size_t vertices = data["report"][side]["vertices"], faces = data["report"][side]["faces"];
+    EXPECT_EQ(shown["shown"], faces) << side;
+    EXPECT_EQ(bytes_of_base64(shown["positions"]), 12 * vertices) << side;
+    EXPECT_EQ(bytes_of_base64(shown["indices"]), 12 * faces) << side;
+    EXPECT_EQ(bytes_of_base64(shown["valence"]), vertices) << side;
+    for(const char* values : {"angle", "quality", "deviation"})
+      EXPECT_EQ(bytes_of_base64(shown[values]), faces) << side << " " << values;
+    EXPECT_EQ(sum_of(data["histograms"]["angles"][side]), 3 * faces) << side;
+    EXPECT_EQ(sum_of(data["histograms"]["valences"][side]), vertices) << side; // no boundary
+  }
+  EXPECT_EQ(bytes_of_base64(data["meshes"]["output"]["region"]), 2 * data["report"]["output"]["faces"].get<std::size_t>());
+  EXPECT_EQ(bytes_of_base64(data["curves"]["sizes"]), 4 * data["report"]["curves"].get<std::size_t>());
+}
+
+TEST_F(Command_line, page_needs_no_network_and_no_name_breaks_it)
+{
+  fs::create_directory(folder / "<");
+  const std::string input = file("</script><b>.off", contents(mesh("eight")));
+  ASSERT_EQ(run("'" + input + "' " + output() + " --vertices 300 --quiet --html " + output("o.html")).status, 0);
+  const std::string page = contents(output("o.html"));
+  EXPECT_EQ(data_of_page(page)["title"], "script><b>.off"); // what follows the last slash
+  for(const char* reference : {" src=", "@import", "<b>", "fetch(\"http"})
+    EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+}
+
+TEST_F(Command_line, page_draws_all_faces_in_a_browser)
+{
+  const std::string browser = installed_browser();
+  if(browser.empty())
+    GTEST_SKIP() << "no Chromium is installed";
+  ASSERT_EQ(run(mesh("eight") + " " + output() + " --vertices 500 --quiet --html " + output("o.html")).status, 0);
+  const auto drawn = [&](const std::string& view) {
+    const std::string command = "timeout 120 " + browser + " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader " +
+                                "--user-data-dir='" + (folder / "profile").string() + "' --virtual-time-budget=3000 --dump-dom 'file://" +
+                                output("o.html") + view + "' >'" + (folder / "dom").string() + "' 2>/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    const std::string dom = contents(folder / "dom"), attribute = "data-drawn=\"";
+    const std::size_t at = dom.find(attribute);
+    return at == std::string::npos ? "nothing" : dom.substr(at + attribute.size(), dom.find('"', at + attribute.size()) - at - attribute.size());
+  };
+  const auto faces = vertices_and_faces_of_off(mesh("eight"))[1];
+  EXPECT_EQ(drawn(""), std::to_string(faces) + " 1004");
+  const auto regions = data_of_page(contents(output("o.html")))["meshes"]["regions"]["faces"].get<std::size_t>();
+  EXPECT_EQ(drawn("#color=regions"), std::to_string(regions) + " 1004");
+}
+
+#ifdef NDEBUG // takes too long with checks
+TEST_F(Command_line, page_of_a_large_mesh_draws_fewer_faces)
+{
+  ASSERT_EQ(run(mesh("eight") + " " + output() + " --vertices 126000 --quiet --html " + output("o.html")).status, 0);
+  const auto data = data_of_page(contents(output("o.html")));
+  const std::size_t faces = data["report"]["output"]["faces"], shown = data["meshes"]["output"]["shown"];
+  EXPECT_EQ(faces, 252004u);
+  EXPECT_LE(shown, 250000u);
+  EXPECT_GT(shown, 60000u);
+  EXPECT_EQ(bytes_of_base64(data["meshes"]["output"]["indices"]), 12 * shown);
+  EXPECT_EQ(sum_of(data["histograms"]["angles"]["output"]), 3 * faces); // of all
+}
+#endif

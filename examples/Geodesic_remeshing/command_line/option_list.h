@@ -88,6 +88,7 @@ inline Option_group output_options()
      "PLY, colours and texture coordinates, their seams kept, from OBJ to OBJ")
     ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
+    ("html", po::value<std::string>()->value_name("FILE.html"), "write a page to look at: both meshes, histograms, tables")
     ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")
     ("curves", po::value<std::string>()->value_name("FILE.obj"), "write the equidistant curves")
     ("quiet,q", po::bool_switch(), "no progress, no table");

@@ -55,6 +55,7 @@ struct Options
   double mean_weight = .5;
   CGAL::Geodesic_remeshing::Sizing_limits limits;
   std::string report; // empty: none
+  std::string html;
   std::string regions;
   std::string curves;
 };
@@ -192,6 +193,7 @@ inline void read_files(const po::variables_map& values, Options& options)
   if(options.input == "-" && options.input_format.empty())
     throw Usage_error("reading standard input needs --input-format");
   options.report = file_name(values, "report");
+  options.html = file_name(values, "html");
   options.regions = file_name(values, "regions");
   options.curves = file_name(values, "curves");
 }

@@ -82,7 +82,7 @@ inline void write_row(std::ostream& out, const std::string& name, const mesh_qua
 } // namespace internal
 
 // As report.schema.json says
-inline void write_json(std::ostream& out, const Report& report)
+inline nlohmann::ordered_json report_as_json(const Report& report)
 {
   nlohmann::ordered_json json;
   json["version"] = GEODESIC_REMESHING_VERSION;
@@ -99,7 +99,12 @@ inline void write_json(std::ostream& out, const Report& report)
   json["seconds"]["total"] = report.seconds;
   if(report.validity)
     json["check"] = internal::to_json(*report.validity);
-  out << json.dump(2) << "\n";
+  return json;
+}
+
+inline void write_json(std::ostream& out, const Report& report)
+{
+  out << report_as_json(report).dump(2) << "\n";
 }
 
 // The statistics of the paper's Table 1 (size, smallest angles, approximation error), and the valences

@@ -24,9 +24,11 @@ namespace command_line {
 using CGAL::Geodesic_remeshing::Stage_results;
 
 // Twelve colours that are easily told apart, over and over
+constexpr int number_of_region_colors = 12;
+
 inline CGAL::IO::Color region_color(int region)
 {
-  static const std::array<CGAL::IO::Color, 12> colors = {{{166, 206, 227},
+  static const std::array<CGAL::IO::Color, number_of_region_colors> colors = {{{166, 206, 227},
                                                           {31, 120, 180},
                                                           {178, 223, 138},
                                                           {51, 160, 44},

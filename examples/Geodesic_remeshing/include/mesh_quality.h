@@ -74,6 +74,13 @@ inline std::array<Point, 3> corners(const Mesh& mesh, Mesh::Face_index f)
   return {{mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))}};
 }
 
+// In degrees, at p
+inline double angle(const Point& p, const Point& q, const Point& r)
+{
+  const double twice_area = std::sqrt(CGAL::cross_product(q - p, r - p).squared_length());
+  return std::atan2(twice_area, (q - p) * (r - p)) * 180. / CGAL_PI;
+}
+
 inline double smallest_angle(const std::array<Point, 3>& p)
 {
   const double twice_area = std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length());
@@ -188,6 +195,13 @@ public:
       return 0.;
     m_last = m_tree.closest_point_and_primitive(query, m_last);
     return std::sqrt(CGAL::squared_distance(query, m_last.first));
+  }
+
+  // Not of an empty mesh
+  Mesh::Face_index face(const Point& query)
+  {
+    m_last = m_tree.closest_point_and_primitive(query, m_last);
+    return m_last.second;
   }
 
 private:
