@@ -1,5 +1,4 @@
 # Headers, the exported target and the files that find_package(Geodesic_remeshing) reads.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(GEODESIC_REMESHING_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Geodesic_remeshing)
 

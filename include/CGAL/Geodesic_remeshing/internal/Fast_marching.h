@@ -124,7 +124,7 @@ private:
   {
     const Spoke* const end = m_triangulation->end(v);
     for(const Spoke* spoke = m_triangulation->begin(v); spoke != end; ++spoke)
-      if(spoke->rim >= 0. && spoke[0].neighbor == right && spoke[1].neighbor == left)
+      if(spoke->rim >= 0. && spoke[0].neighbor == right.idx() && spoke[1].neighbor == left.idx())
         return spoke->angle + angle;
     return infinity;
   }
