@@ -16,6 +16,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
+#include <CGAL/Geodesic_remeshing/internal/fit_sizing.h>
+#include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
@@ -38,7 +40,8 @@ namespace CGAL {
  * \ingroup PkgGeodesicRemeshingRef
  *
  * \brief remeshes a triangulated surface by geodesic distances on it: the output has the same topology, exactly the
- * number of vertices asked for, and well-shaped triangles of even size or of the sizes wished; all its vertices lie on the input surface.
+ * number of vertices asked for, and well-shaped triangles of even size or of the sizes wished; all its vertices lie on the input surface,
+ * unless `do_project(false)` lets them leave it to bring the mesh nearer to it.
  *
  * The algorithm is that of Sifri, Sheffer and Gotsman \cgalCite{cgal:ssg-gbsr-03}: distances from a root vertex
  * are computed by fast marching (section 3 of the paper), the surface is segmented into regions in which fronts advance without
@@ -159,6 +162,16 @@ namespace CGAL {
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{Without them the improvement takes about half the time, and leaves two to three times as many irregular vertices.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{do_project}
+ *     \cgalParamDescription{whether the vertices lie on the input surface. With `false` they leave it so that the mesh as a whole is as near to the
+ *                           surface as its number of vertices and angles of 30 degrees allow, in both directions: its largest and its RMS
+ *                           distance are about a third of those of a mesh with its vertices on the surface. Those on lines stay on their lines, corners stay where
+ *                           they are.}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by `Geodesic_remeshing::Curvature_sizing_field`
+ *                     as it is by default. The triangles are less even for it: its smallest angles are 51 degrees in the mean.}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told the stages and the progress, and can stop the work; pass it by `std::ref()`}
  *     \cgalParamType{a class model of `GeodesicRemeshingVisitor`}
@@ -186,7 +199,8 @@ namespace CGAL {
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map}
- *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`}
+ *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`; with `do_project(false)` with the place that the vertex
+ *                           is nearest to}
  *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
  *                    as key type and `Polygon_mesh_processing::Face_location<TriangleMesh, FT>` as value type}
  *     \cgalParamDefault{nothing is written}
@@ -255,7 +269,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Mesh& surface = input.mesh;
 
   clock.stage("sizing", .03);
-  const Goal goal = set_goal(target, wished_lengths(tmesh, input.vertex_of, np_in), sizing_limits_of(np_in), input.mesh);
+  const std::vector<double> wishes = wished_lengths(tmesh, input.vertex_of, np_in);
+  const Goal goal = options.do_project || !wishes.empty() ? set_goal(target, wishes, sizing_limits_of(np_in), input.mesh)
+                                                          : set_goal_of_fit(target, input.mesh);
   check_scale(goal.mean_edge_length);
   const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
 
@@ -306,12 +322,25 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("improvement", .55);
   bool goes_on = true;
+  const double end_of_improvement = options.do_project ? .95 : .75;
   improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
           options.improvement(n, edge_length),
-          [&](double done) { return goes_on = goes_on && clock.go_on(.55 + .4 * done); });
+          [&](double done) { return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done); });
   if(!goes_on)
     clock.give_up();
   check_count(remeshed.mesh, n);
+
+  if(!options.do_project)
+  {
+    clock.stage("fitting", end_of_improvement);
+    const Fit_result fit =
+      fit_surface(surface, constraints, edge_length, remeshed, [&](double done)
+                  { return goes_on = goes_on && clock.go_on(end_of_improvement + (.95 - end_of_improvement) * done); });
+    if(!goes_on)
+      clock.give_up();
+    summary.rms_distance = fit.root_mean_square;
+    summary.largest_distance = fit.largest;
+  }
 
   clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
   write_output(input, remeshed, np_in, out, np_out,

@@ -69,6 +69,11 @@ struct Summary
   std::size_t number_of_regions = 0;  ///< of the region tree (paper, section 5)
   std::size_t number_of_curves = 0;   ///< equidistant curves
   std::size_t number_of_strips = 0;   ///< pieces that the curves divide the surface into
+  /// with `do_project(false)`, the root of the mean square of the distances of points of the input from the output, as found at about
+  /// ten points a face
+  double rms_distance = 0.;
+  /// with `do_project(false)`, the largest distance found, in both directions
+  double largest_distance = 0.;
   std::vector<std::pair<std::string, double>> seconds; ///< processor seconds of each stage, in their order
 };
 
@@ -91,7 +96,7 @@ public:
 struct Default_visitor
 {
   /// called when a stage begins: `"input"`, `"sizing"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`, `"strips"`,
-  /// `"improvement"`, `"output"`
+  /// `"improvement"`, `"fitting"` (with `do_project(false)`), `"output"`
   void stage(const std::string& /* name */) {}
   /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work
   bool progress(double /* done */) { return true; }

@@ -46,6 +46,7 @@ struct Options
   bool use_segmentation;
   std::size_t number_of_iterations;
   bool use_defect_moves;
+  bool do_project;
 
   Improvement_parameters improvement(std::size_t number_of_vertices, double edge_length) const
   {
@@ -63,7 +64,8 @@ Options unpack_options(const NamedParameters& np)
   using CGAL::parameters::get_parameter;
   return Options{choose_parameter(get_parameter(np, internal_np::use_segmentation), true),
                  static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u)),
-                 choose_parameter(get_parameter(np, internal_np::use_defect_moves), true)};
+                 choose_parameter(get_parameter(np, internal_np::use_defect_moves), true),
+                 choose_parameter(get_parameter(np, internal_np::do_project), true)};
 }
 
 template <class TriangleMesh, class NamedParameters>

@@ -69,7 +69,7 @@ inline void write_back(const Remeshed_surface& remeshed, Mesh& mesh, Mesh::Prope
   for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v) {
     if(table.is_removed(v))
       continue;
-    vertex[v] = mesh.add_vertex(point_at(remeshed.walker().surface(), remeshed.spot(v).place));
+    vertex[v] = mesh.add_vertex(remeshed.spot(v).point);
     place[vertex[v]] = remeshed.spot(v).place;
     pinned[vertex[v]] = remeshed.is_fixed(v);
   }
