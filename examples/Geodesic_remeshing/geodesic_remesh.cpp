@@ -104,6 +104,7 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
                       .number_of_iterations(options.iterations)
                       .edge_is_constrained_map(transfer.seams())
                       .protect_constraints(options.protect)
+                      .do_project(!options.fit)
                       .visitor(std::ref(progress));
   const Job job{input.mesh, options, transfer, output, stages};
   if(!options.contrast && options.sizing.empty())
@@ -116,10 +117,13 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
                                       .maximum_length(options.limits.maximum_length));
 }
 
+// How far a vertex of a fitted mesh may be from the surface, as a part of the diagonal: more is no fit but a fault.
+constexpr double fitted_tolerance = .05;
+
 GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Options& options)
 {
-  const auto np = GR::parameters::default_values();
-  return options.vertices ? GR::is_valid_remeshing(input, output, GR::parameters::expected_number_of_vertices(*options.vertices))
+  const auto np = GR::parameters::surface_tolerance(options.fit ? fitted_tolerance : 1e-9);
+  return options.vertices ? GR::is_valid_remeshing(input, output, np.expected_number_of_vertices(*options.vertices))
                           : GR::is_valid_remeshing(input, output, np);
 }
 
@@ -176,6 +180,7 @@ void run(const Options& options)
   CGAL::Timer timer;
   timer.start();
   report.summary = remesh(input, options, transfer, output, stages);
+  report.is_fitted = options.fit;
   report.seconds = timer.time();
   transfer.run();
 

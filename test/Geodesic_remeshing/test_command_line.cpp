@@ -481,6 +481,24 @@ TEST_F(Command_line, protected_boundary_is_kept_exactly)
                  "the corners and lines of the input need " + std::to_string(boundary_vertices_of_off(open)));
 }
 
+TEST_F(Command_line, fitted_mesh_is_nearer_and_said_to_be_fitted)
+{
+  const std::string input = mesh("eight");
+  double rms[2];
+  for(const bool fit : {false, true})
+  {
+    const Outcome outcome = run(input + " " + output() + " --vertices 500 --check --report " + output("r.json") + (fit ? " --fit" : ""));
+    ASSERT_EQ(outcome.status, 0);
+    const auto report = nlohmann::json::parse(contents(output("r.json")));
+    EXPECT_EQ(report["fitted"], fit);
+    EXPECT_EQ(report["check"]["valid"], true);
+    EXPECT_EQ(report["seconds"].contains("fitting"), fit);
+    EXPECT_EQ(outcome.out.find("fitted") != std::string::npos, fit);
+    rms[fit] = report["output"]["rms_percent"];
+  }
+  EXPECT_LT(rms[1], .6 * rms[0]);
+}
+
 TEST_F(Command_line, features_are_kept)
 {
   const std::string cube = mesh("cube");

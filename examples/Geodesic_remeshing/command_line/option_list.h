@@ -74,6 +74,8 @@ inline Option_group method_options()
 {
   Option_group group{"Method", {}};
   group.options.add_options()
+    ("fit", po::bool_switch(), "let the vertices leave the surface, so that OUTPUT as a whole is nearest to INPUT; edges are shorter where it "
+     "bends, unless a sizing tells how long")
     ("no-segmentation", po::bool_switch(), "one region: curves around the root all over the surface")
     ("iterations", po::value<long long>()->value_name("K"), "rounds of improvement (3)");
   return group;

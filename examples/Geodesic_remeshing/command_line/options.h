@@ -44,6 +44,7 @@ struct Options
   unsigned int iterations = 3;
   bool use_segmentation = true;
   double feature_angle = 0.; // degrees; zero: features are not sought
+  bool fit = false;
   bool protect = false;       // lines keep their vertices and edges
   bool do_repair = true;
   bool transfer = false;
@@ -229,6 +230,7 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
   options.use_segmentation = !values["no-segmentation"].as<bool>();
   internal::read_number(values, "feature-angle", 0., 180., false, options.feature_angle);
+  options.fit = values["fit"].as<bool>();
   options.protect = values["protect"].as<bool>();
   options.do_repair = !values["no-repair"].as<bool>();
   options.transfer = values["transfer"].as<bool>();

@@ -31,6 +31,7 @@ struct Report
   mesh_quality::Quality output;
   mesh_quality::Distance distance;
   CGAL::Geodesic_remeshing::Summary summary;
+  bool is_fitted = false; // whether vertices could leave the surface
   double seconds = 0.; // user CPU of the remeshing as a whole
   std::optional<CGAL::Geodesic_remeshing::Remeshing_validity> validity; // if it was asked for
 };
@@ -90,6 +91,7 @@ inline nlohmann::ordered_json report_as_json(const Report& report)
   json["output"] = internal::to_json(report.output);
   json["output"]["hausdorff_percent"] = report.distance.hausdorff_percent;
   json["output"]["rms_percent"] = report.distance.rms_percent;
+  json["fitted"] = report.is_fitted;
   json["edge_length"] = report.summary.edge_length;
   json["regions"] = report.summary.number_of_regions;
   json["curves"] = report.summary.number_of_curves;
@@ -119,7 +121,7 @@ inline void write_table(std::ostream& out, const Report& report)
       << "edge length " << std::defaultfloat << std::setprecision(6) << report.summary.edge_length << "; "
       << report.summary.number_of_regions << " regions, " << report.summary.number_of_curves << " curves, "
       << report.summary.number_of_strips << " strips; " << std::fixed << std::setprecision(2) << report.seconds
-      << " s of CPU\n";
+      << " s of CPU" << (report.is_fitted ? "; fitted: vertices off the surface" : "") << "\n";
   if(report.validity)
     out << *report.validity;
 }

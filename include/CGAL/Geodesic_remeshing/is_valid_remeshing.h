@@ -122,6 +122,7 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamDescription{how far from the surface a vertex may be, as a part of the diagonal of the box of `tmesh`}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{`1e-9`}
+ *     \cgalParamExtra{The vertices of a mesh made with `do_project(false)` are off the surface, by less than an edge length.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{line_tolerance}
  *     \cgalParamDescription{how far a point of a boundary or of a constrained edge may be from the edges of the output, as a part of
