@@ -323,3 +323,91 @@ TEST_F(Command_line, page_of_a_large_mesh_draws_fewer_faces)
   EXPECT_EQ(sum_of(data["histograms"]["angles"]["output"]), 3 * faces); // of all
 }
 #endif
+
+// A folder of models, one of them damaged, and a program that remeshes them all
+class Folder_of_models : public Command_line
+{
+protected:
+  void SetUp() override
+  {
+    Command_line::SetUp();
+    fs::create_directory(folder / "models");
+    for(const char* name : {"eight", "cube"})
+      fs::copy_file(mesh(name), folder / "models" / (std::string(name) + ".off"));
+    fs::copy_file(mesh("eight"), folder / "models" / "an eight's \"copy\".off");
+    file("models/damaged.off", "no mesh");
+    file("models/notes.txt", "no mesh either");
+  }
+
+  // The exit status; what is written to standard error is in `said`
+  int run_on_models(const std::string& program)
+  {
+    const std::string command = program + " '" + (folder / "models").string() + "' '" + (folder / "written").string() +
+                                "' --vertices 300 >/dev/null 2>'" + (folder / "said").string() + "'";
+    const int status = WEXITSTATUS(std::system(command.c_str()));
+    said = contents(folder / "said");
+    return status;
+  }
+
+  void expect_all_but_the_damaged() const
+  {
+    for(const char* name : {"eight.off", "cube.off", "an eight's \"copy\".off"})
+    {
+      EXPECT_EQ(vertices_and_faces_of_off(output(std::string(name) + ".off"))[0], 300u) << name;
+      const auto report = nlohmann::json::parse(contents(output(std::string(name) + ".json")));
+      EXPECT_EQ(report["output"]["vertices"], 300) << name;
+    }
+    EXPECT_FALSE(fs::exists(output("damaged.off.off")));
+    EXPECT_FALSE(fs::exists(output("notes.txt.off")));
+    EXPECT_NE(said.find("damaged.off: geodesic_remesh:"), std::string::npos) << said;
+    EXPECT_NE(said.find("3 models remeshed, 1 failed"), std::string::npos) << said;
+  }
+
+  std::string said;
+};
+
+#ifdef FOLDER_PROGRAM
+TEST_F(Folder_of_models, remeshed_and_gone_on_with)
+{
+  EXPECT_EQ(run_on_models(FOLDER_PROGRAM), 1);
+  expect_all_but_the_damaged();
+  fs::remove(output("cube.off.off"));
+  const auto before = fs::last_write_time(output("eight.off.off"));
+  fs::copy_file(mesh("cube"), folder / "models" / "damaged.off", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(run_on_models(FOLDER_PROGRAM), 0) << said; // only what is missing
+  EXPECT_NE(said.find("2 models remeshed, 0 failed"), std::string::npos) << said;
+  EXPECT_EQ(fs::last_write_time(output("eight.off.off")), before);
+  EXPECT_EQ(vertices_and_faces_of_off(output("damaged.off.off"))[0], 300u);
+  EXPECT_FALSE(fs::exists(output("damaged.off.log")));
+}
+
+TEST_F(Folder_of_models, wrong_use_of_folders)
+{
+  EXPECT_EQ(WEXITSTATUS(std::system(FOLDER_PROGRAM " a b 2>/dev/null")), 1);
+  EXPECT_EQ(WEXITSTATUS(std::system(FOLDER_PROGRAM " /no/such/folder . --vertices 100 2>/dev/null")), 1);
+  EXPECT_EQ(WEXITSTATUS(std::system(("cd '" + folder.string() + "' && '" FOLDER_PROGRAM "' models ./models --vertices 100 2>/dev/null").c_str())), 1);
+  EXPECT_TRUE(fs::is_empty(folder / "written"));
+}
+#endif
+
+#ifdef FOLDER_MPI_PROGRAM
+TEST_F(Folder_of_models, remeshed_by_processes_of_mpi)
+{
+  // containers are often root and have fewer processors than this asks for
+  const std::string settings = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 ";
+  EXPECT_EQ(run_on_models(settings + MPIEXEC " 3 '" FOLDER_MPI_PROGRAM "'"), 1);
+  expect_all_but_the_damaged();
+}
+#endif
+
+// As the manual shows it
+TEST_F(Folder_of_models, remeshed_by_gnu_parallel)
+{
+  if(!is_installed("parallel --version | grep GNU"))
+    GTEST_SKIP() << "GNU parallel is not installed";
+  const std::string command = "cd '" + folder.string() + "' && parallel --joblog jobs --resume-failed '" GEODESIC_REMESH_PROGRAM
+                              "' {} written/{/}.off --vertices 300 --quiet ::: models/*.off 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1); // the number of those that failed
+  for(const char* name : {"eight.off.off", "cube.off.off", "an eight's \"copy\".off.off"})
+    EXPECT_EQ(vertices_and_faces_of_off(output(name))[0], 300u) << name;
+}
