@@ -40,3 +40,22 @@ build()
     die "building $target failed; everything is in ${log#"$root"/}"
   }
 }
+
+# Sets folders, the options by which a compiler finds our headers and CGAL's, from which no warnings are wanted. The latter are beside
+# lib/cmake/CGAL or lib/ARCHITECTURE/cmake/CGAL; those of the system the compiler finds by itself.
+find_include_folders()
+{
+  local above
+  find_cgal stable
+  folders=(-I"$root/include" -isystem /usr/include/eigen3)
+  above=$cgal_dir
+  while [ -n "$above" ] && [ ! -f "$above/include/CGAL/version.h" ]; do above=${above%/*}; done
+  [ "${above:-/usr}" = /usr ] || folders+=(-isystem "$above/include")
+}
+
+# Sets public and internal, the headers as programs include them; the lists of names, included with a macro defined, are none.
+find_headers()
+{
+  mapfile -t public < <(cd "$root/include" && ls CGAL/geodesic_remeshing.h CGAL/Geodesic_remeshing/*.h)
+  mapfile -t internal < <(cd "$root/include" && ls CGAL/Geodesic_remeshing/internal/*.h | grep -v parameters_interface)
+}

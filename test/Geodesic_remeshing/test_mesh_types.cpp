@@ -412,11 +412,16 @@ TEST(Named_parameters_of_meshes, index_maps_are_a_matter_of_speed)
                      .halfedge_index_map(as_property_map(halfedge))
                      .face_index_map(as_property_map(face));
   Mesh output, expected;
-  CGAL::geodesic_remeshing(input, 200, output, all);
+  auto location = output.add_property_map<made::Vertex, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:place").first;
+  CGAL::geodesic_remeshing(input, 200, output, all, gp::vertex_location_map(location));
   CGAL::geodesic_remeshing(input, 200, expected);
   EXPECT_TRUE(support::is_same_mesh(output, expected));
   EXPECT_NEAR(GR::geodesic_diameter(input, all).distance, GR::geodesic_diameter(input).distance, 1e-9);
   EXPECT_TRUE(GR::is_valid_remeshing(input, output, all));
+  std::map<Mesh::Face_index, std::size_t> of_output, expected_of_output;
+  GR::transfer_face_property(input, as_property_map(face), output, location, as_property_map(of_output), all);
+  GR::transfer_face_property(input, as_property_map(face), output, location, as_property_map(expected_of_output));
+  EXPECT_EQ(of_output, expected_of_output);
 }
 
 TEST(Named_parameters_of_meshes, defect_moves_leave_fewer_irregular_vertices)
@@ -448,12 +453,12 @@ TEST(Named_parameters_of_meshes, all_together_in_any_order)
                            gp::vertex_point_map(input.points()).geom_traits(Epick()).vertex_index_map(vertex_index)
                              .sizing_field(length).gradation(.2).minimum_length(.01).maximum_length(10.)
                              .features_angle_bound(60.).edge_is_constrained_map(no_edge).vertex_is_constrained_map(no_vertex)
-                             .face_patch_map(one_patch).protect_constraints(false).use_segmentation(false).number_of_iterations(2u).use_defect_moves(false)
+                             .face_patch_map(one_patch).protect_constraints(false).use_segmentation(false).number_of_iterations(2u).use_defect_moves(false).do_project(true)
                              .visitor(std::ref(visitor)).stage_results(std::ref(stages)),
                            gp::vertex_point_map(once.points()).geom_traits(Epick()).vertex_location_map(location)
                              .edge_is_constrained_map(is_line).face_patch_map(patch).face_region_map(region));
   CGAL::geodesic_remeshing(input, 400, reversed,
-                           gp::stage_results(std::ref(stages)).visitor(visitor).use_defect_moves(false).number_of_iterations(2)
+                           gp::stage_results(std::ref(stages)).do_project(true).visitor(visitor).use_defect_moves(false).number_of_iterations(2)
                              .use_segmentation(false).protect_constraints(false).face_patch_map(one_patch).vertex_is_constrained_map(no_vertex)
                              .edge_is_constrained_map(no_edge).features_angle_bound(60).maximum_length(10).minimum_length(.01f)
                              .gradation(.2).sizing_field(length).vertex_index_map(vertex_index).geom_traits(Epick())

@@ -80,7 +80,27 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
  * @param remeshed the output of the remeshing
  * @param location_map where the vertices of the output lie on the input
  * @param output_map filled with the property of the faces of the output
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of `tmesh`, if it is not the internal one
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \cgalBigO{n + m} for `n` and `m` faces.
  */
@@ -118,7 +138,27 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
  * @param remeshed the output of the remeshing
  * @param location_map where the vertices of the output lie on the input
  * @param output_map filled with the property of the corners of the output; halfedges of the boundary have none
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of `tmesh`, if it is not the internal one
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ *                    as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \cgalBigO{n + m} for `n` and `m` faces.
  */
