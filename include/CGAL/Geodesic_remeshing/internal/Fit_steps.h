@@ -43,7 +43,7 @@ public:
 
   Fit_steps(Remeshed_surface& remeshed, Fit_assignment& assignment, Fit_probes& probes, const double edge_length)
     : remeshed_(remeshed), table_(remeshed.connectivity()), assignment_(assignment), probes_(probes)
-    , longest_step_(.3 * edge_length) {}
+    , longest_step_(.3 * edge_length), is_held_(table_.vertex_slots(), 0) {}
 
   Fit_cost& cost() { return cost_; }
 
@@ -55,6 +55,7 @@ public:
   void flip_and_search(Index h);                 // whatever it costs
   Remeshed_surface::Spot spot_at(const Point& p, Index start) const;
   double root_mean_square() const;
+  void hold(const Index v) { is_held_[v] = 1; }  // from now on it moves on the surface only
 
   // The samples of some faces, for which `search_gathered()` searches where they are now.
   template <class Faces> void gather(const Faces& faces);
@@ -81,6 +82,7 @@ private:
     return assignment_.sample(i).weight * (cost_.of(assigned.squared_distance) + assigned.penalty);
   }
   double gathered_cost() const;
+  bool is_held(const Index v) const { return v < is_held_.size() && is_held_[v]; }
   Vector wished_step(Index v, const Vector& normal, const Vector& way, double pull);
   double flip_cost(Index h);
   bool is_flip_possible(Index h) const;
@@ -90,6 +92,7 @@ private:
   Fit_assignment& assignment_;
   Fit_probes& probes_;
   const double longest_step_;
+  std::vector<char> is_held_;
   Fit_cost cost_;
   double change_ = 0.;
   bool is_trial_ = false;
@@ -221,8 +224,8 @@ inline bool Fit_steps::move(const Index v, const double pull)
   const double before = gathered_cost() + pulling(way) + probes_.ring_cost(v, cost_, infinity);
   const double limit = (std::max)(fit_badness(), remeshed_.ring_badness(v));
   for(int trial = 0; trial < 4; ++trial, step = .4 * step) {
-    const Remeshed_surface::Spot spot = remeshed_.is_on_line(v) ? remeshed_.spot_after(v, step)
-                                                                : spot_at(old.point + step, old.place.face);
+    const Remeshed_surface::Spot spot = remeshed_.is_on_line(v) || is_held(v) ? remeshed_.spot_after(v, step)
+                                                                              : spot_at(old.point + step, old.place.face);
     if(remeshed_.ring_badness(v, spot, limit) > limit)
       continue;
     remeshed_.put(v, spot);

@@ -16,6 +16,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Fit_relocation.h>
 #include <CGAL/Geodesic_remeshing/internal/Fit_steps.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
+#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_samples.h>
@@ -29,6 +30,9 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
+
+// From so many times the root mean square on a deviation is a place that needs another vertex. The smaller, the more valences are irregular.
+constexpr double too_large_deviation = 6.;
 
 // How near a fitted mesh has come, in both directions
 struct Fit_result { double root_mean_square = 0., largest = 0.; };
@@ -54,23 +58,43 @@ inline void mend_fit(Remeshed_surface& remeshed)
   for(int round = 0; round < rounds && Intersection_repair(remeshed, badness).run() > 0; ++round);
 }
 
+// Where two sheets are nearer to each other than the steps are long one may pierce the other. The vertices there go back to the
+// surface, where the sheets are apart, and stay on it.
+inline void hold_what_intersects(Remeshed_surface& remeshed, Fit_steps& steps)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  const double limit = fit_badness();
+  for(const Intersection_search::Pair& pair : Intersection_search(remeshed).run())
+    for(const Lean_triangulation::Index f : {pair.first, pair.second})
+      for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h) {
+        const Lean_triangulation::Index v = table.source(h);
+        steps.hold(v);
+        if(!remeshed.is_free(v))
+          continue;
+        const Remeshed_surface::Spot spot = remeshed.spot_after(v, Vector(0., 0., 0.));
+        if(remeshed.ring_badness(v, spot, limit) <= limit)
+          remeshed.put(v, spot);
+      }
+}
+
 // Rounds of steps: at first by the squares of the deviations, then with more and more weight on the largest.
 template <class Progress>
-void run_fit(Fit_steps& steps, Fit_relocation& relocation, const Progress& go_on)
+void run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& relocation, const Progress& go_on)
 {
   // With 20 rounds the distances are 2 percent less.
   constexpr int rounds = 9, plain_rounds = 3;
-  // Deviations count as large, and as a place that needs a vertex, from so many times the root mean square on. The smaller, the more of the angles and
-  // of the valences is spent on the largest deviation.
-  constexpr double large = 4., too_large = 6.;
+  // Deviations count as large from so many times the root mean square on. The smaller, the more of the angles is spent on the largest.
+  constexpr double large = 4.;
   for(int round = 0; round < rounds; ++round) {
     if(round >= plain_rounds)
       steps.cost().set_tolerance(large * steps.root_mean_square());
+    if(round % 3 == 2)
+      hold_what_intersects(remeshed, steps);
     steps.move_all();
     if(round % 2 == 1) {
       steps.flip_all();
       if(round >= plain_rounds)
-        relocation.run(too_large * steps.root_mean_square());
+        relocation.run(too_large_deviation * steps.root_mean_square());
     }
     if(!go_on(double(round + 1) / rounds))
       return;
@@ -90,10 +114,16 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
   const double area = std::sqrt(3.) / 4. * CGAL::square(edge_length) / samples_per_face;
   const double penalty = CGAL::square(.2 * edge_length);
   Fit_assignment assignment(remeshed, make_fit_samples(walker, remeshed.metric(), area), penalty);
-  Fit_probes probes(remeshed, penalty);
+  Fit_probes probes(remeshed, CGAL::square(.5 * edge_length));
   Fit_steps steps(remeshed, assignment, probes, edge_length);
   Fit_relocation relocation(remeshed, assignment, probes, steps);
-  run_fit(steps, relocation, go_on);
+  run_fit(remeshed, steps, relocation, go_on);
+  mend_fit(remeshed);
+  // What was mended at the cost of the distance
+  assignment.search_all();
+  steps.move_all();
+  relocation.run(too_large_deviation * steps.root_mean_square());
+  steps.move_all();
   mend_fit(remeshed);
   assignment.search_all();
   Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
