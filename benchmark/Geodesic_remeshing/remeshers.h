@@ -56,6 +56,17 @@ inline Remesher geodesic_remesher()
           }};
 }
 
+inline Remesher geodesic_remesher_fitted()
+{
+  return {"geodesic_remeshing, fitted", [](const Mesh& input, std::size_t number_of_vertices) -> Run {
+            return [&input, number_of_vertices] {
+              Mesh output;
+              CGAL::geodesic_remeshing(input, number_of_vertices, output, CGAL::Geodesic_remeshing::parameters::do_project(false));
+              return output;
+            };
+          }};
+}
+
 inline Mesh isotropic(const Mesh& input, double edge_length, unsigned int iterations)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -164,6 +175,7 @@ inline std::vector<Remesher> all_remeshers()
 #if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 1, 0)
   remeshers.push_back(acvd_remesher());
 #endif
+  remeshers.push_back(geodesic_remesher_fitted());
   return remeshers;
 }
 
