@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/geodesic_remeshing.h>
@@ -720,6 +721,95 @@ TEST(Many_components, small_ones_get_what_they_need_beside_large_ones)
   }
   Mesh output;
   EXPECT_THROW(geodesic_remeshing(input, 17, output), GR::Remeshing_error) << "4 + 4 + 7 + 3 are needed";
+}
+
+// ---- sheets much nearer to each other than the edges are long
+
+namespace {
+
+// A square folded over an edge: two sheets at this distance, and half a tube between them
+Mesh folded_sheet(double distance)
+{
+  constexpr double width = 10.;
+  const double radius = .5 * distance, half_tube = CGAL_PI * radius;
+  Mesh mesh = made::plane(200);
+  for(Vertex v : mesh.vertices())
+  {
+    const Point p = mesh.point(v);
+    const double s = p.x() / 200. * (2. * width + half_tube) - width - .5 * half_tube; // the way over the fold, 0 in its middle
+    const double beyond = std::abs(s) - .5 * half_tube, up = s < 0. ? -1. : 1.;
+    const double y = p.y() / 20.;
+    if(beyond > 0.)
+      mesh.point(v) = Point(-beyond, y, up * radius);
+    else
+      mesh.point(v) = Point(radius * std::cos(s / radius), y, radius * std::sin(s / radius));
+  }
+  return mesh;
+}
+
+Mesh thin_box(double thickness)
+{
+  Mesh mesh = made::box(30, 30, 1);
+  for(Vertex v : mesh.vertices())
+    mesh.point(v) = Point(mesh.point(v).x(), mesh.point(v).y(), thickness * mesh.point(v).z());
+  return mesh;
+}
+
+void expect_apart(const Mesh& input, const Result& result, std::size_t vertices)
+{
+  expect_guarantees(input, result, vertices);
+  EXPECT_FALSE(PMP::does_self_intersect(result.mesh));
+  EXPECT_NEAR(PMP::area(result.mesh), PMP::area(input), .03 * PMP::area(input));
+}
+
+} // namespace
+
+TEST(Thin_sheets, folded_sheet_stays_folded)
+{
+  for(double distance : {.1, .04, .01})
+  {
+    SCOPED_TRACE(distance);
+    const Mesh input = folded_sheet(distance); // edges of about .6
+    const Result result(input, 700, parameters::default_values());
+    expect_apart(input, result, 700);
+    // away from the fold every edge is in one of the sheets
+    for(Edge e : result.mesh.edges())
+    {
+      const Point& p = result.mesh.point(result.mesh.vertex(e, 0));
+      const Point& q = result.mesh.point(result.mesh.vertex(e, 1));
+      if(p.x() < -2. && q.x() < -2.)
+      {
+        EXPECT_GT(p.z() * q.z(), 0.);
+      }
+    }
+  }
+}
+
+TEST(Thin_sheets, thin_box)
+{
+  for(double thickness : {.3, .1, .01})
+  {
+    SCOPED_TRACE(thickness);
+    const Mesh input = thin_box(thickness); // edges of about 3.2
+    const Result result(input, 200, parameters::features_angle_bound(60.));
+    expect_apart(input, result, 200);
+    expect_corners(corners_of(input, sharp_edges_of(input)), result.mesh);
+    expect_lines_covered(lines_of(input, sharp_edges_of(input)), result, 1e-9 * diagonal_of(input));
+  }
+}
+
+TEST(Thin_sheets, nested_spheres)
+{
+  // edges of about .2; the faces' centres are at most .007 below the spheres
+  const Mesh input = made::together({made::sphere(5), made::sphere(5, 1.02), made::sphere(5, .98)});
+  const Result result(input, 2200, parameters::default_values());
+  expect_apart(input, result, 2200);
+  for(Vertex v : result.mesh.vertices())
+    for(Halfedge h : result.mesh.halfedges_around_target(result.mesh.halfedge(v)))
+    {
+      const auto radius = [&](Vertex w) { return std::sqrt((result.mesh.point(w) - CGAL::ORIGIN).squared_length()); };
+      EXPECT_NEAR(radius(v), radius(result.mesh.source(h)), .005);
+    }
 }
 
 // ---- models

@@ -3,6 +3,7 @@
 #include "test_support.h"
 
 #include <CGAL/Geodesic_remeshing/region_segmentation.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -545,15 +546,52 @@ TEST(Region_segmentation, takes_polyhedra_and_point_maps)
     EXPECT_EQ(again[f], regions[f]);
 }
 
+// Each component with boundary is one region, so that the Euler characteristics of the regions are those of the components;
+// closed ones beside them have their trees.
+TEST(Region_segmentation, components_with_boundary_are_regions)
+{
+  const Mesh tubes = made::branching_tubes({20, 12, 15});
+  Mesh alone = tubes;
+  const auto tree_alone =
+    region_segmentation(alone, 2., alone.add_property_map<Face, int>("f:region", -1).first);
+  Mesh mesh = made::together({made::moved(made::plane(20), made::Vector(0., 0., 60.)), tubes,
+                              made::moved(made::cylinder(5., 30., 60, 30, false), made::Vector(0., 0., -90.))});
+  auto map = mesh.add_property_map<Face, int>("f:region", -1).first;
+  const auto tree = region_segmentation(mesh, 2., map);
+  EXPECT_EQ(tree.size(), tree_alone.size() + 2);
+  auto component = mesh.add_property_map<Face, std::size_t>("f:component").first;
+  CGAL::Polygon_mesh_processing::connected_components(mesh, component);
+  std::map<int, std::set<std::size_t>> components_of;
+  std::map<int, std::size_t> faces_of;
+  for(Face f : mesh.faces())
+  {
+    ASSERT_GE(map[f], 0);
+    ASSERT_LT(map[f], int(tree.size()));
+    components_of[map[f]].insert(component[f]);
+    ++faces_of[map[f]];
+  }
+  for(const auto& c : components_of)
+    EXPECT_EQ(c.second.size(), 1u) << c.first;
+  EXPECT_TRUE(std::any_of(faces_of.begin(), faces_of.end(), [](const auto& f) { return f.second == 800; })) << "the square";
+  std::size_t on_boundary = 0, roots = 0;
+  for(const auto& region : tree)
+  {
+    const bool is_on_boundary = mesh.is_border(region.centre, true);
+    on_boundary += is_on_boundary;
+    roots += region.kind == Region_kind::root;
+    EXPECT_TRUE(!is_on_boundary || (region.parents.empty() && region.children.empty()));
+  }
+  EXPECT_EQ(on_boundary, 2u);
+  EXPECT_EQ(roots, 3u);
+}
+
 TEST(Region_segmentation, refuses_what_it_cannot_segment)
 {
   Mesh mesh = made::sphere(2);
   auto map = mesh.add_property_map<Face, int>("f:region", -1).first;
   for(double d : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(region_segmentation(mesh, d, map), std::invalid_argument);
-  Mesh open = made::plane(3), empty;
-  EXPECT_THROW(region_segmentation(open, 1., open.add_property_map<Face, int>("f:region").first),
-               std::invalid_argument);
+  Mesh empty;
   EXPECT_THROW(region_segmentation(empty, 1., empty.add_property_map<Face, int>("f:region").first),
                std::invalid_argument);
   mesh.point(Vertex(3)) = Point(0, infinity, 0);

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_REGION_SEGMENTATION_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
@@ -83,12 +84,13 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
 /*!
  * \ingroup PkgGeodesicRemeshingRegionsRef
  *
- * \brief segments a closed surface into regions in which a front of constant distance moves without meeting itself or another.
+ * \brief segments a surface into regions in which a front of constant distance moves without meeting itself or another.
  *
  * This is section 5 of the paper, for surfaces of any genus. Leaves are discs around the maxima of the distance from a
  * root vertex; interior regions are annuli that begin at the "spectacles" where fronts meet and end a whole number of curve
  * distances further on; the root region is the disc around the root. A maximum that rises less than half a curve distance above the
- * saddle beside it is noise and has no region. Every connected component has a tree of its own.
+ * saddle beside it is noise and has no region. Every connected component has a tree of its own. One with boundary is a single region, the root,
+ * as in `CGAL::geodesic_remeshing()`: its front starts on the straightest long piece of the boundary, on which its centre lies.
  *
  * The boundaries of the regions run through faces; each face gets the region that covers most of it.
  * `Stage_results::regions` has the surface cut along the boundaries.
@@ -98,7 +100,7 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  *         and an integral value type
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * @param tmesh a closed triangle mesh
+ * @param tmesh a triangle mesh of any genus, with any number of boundary loops and connected components
  * @param curve_distance the distance between curves, to a multiple of which heights are rounded down; for a remeshing it is
  *        \f$\sqrt{3/4}\f$ of the edge length. Positive.
  * @param face_region_map filled with the index of the region of each face
@@ -126,7 +128,7 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  * \cgalNamedParamsEnd
  *
  * @return the regions, children before their parents
- * @throws std::invalid_argument if the mesh is empty, not triangulated, has a boundary or a coordinate that is not finite, or if the
+ * @throws std::invalid_argument if the mesh is empty, not triangulated or has a coordinate that is not finite, or if the
  *         curve distance is not positive and finite
  *
  * \cgalBigO{n log n} for `n` vertices after long edges have been split.
@@ -142,15 +144,18 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
     reject("the curve distance must be positive and finite");
   check_scale(curve_distance);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, np, input);
+  copy_input(tmesh, np, input, true);
+  const double edge_length = curve_distance / std::sqrt(.75);
+  const Constraints boundary = find_boundary(input.mesh, edge_length);
   Working_surface working;
-  make_working_surface(input.mesh, longest_working_edge * curve_distance / std::sqrt(.75), working);
+  make_working_surface(input.mesh, boundary, longest_working_edge * edge_length, working);
+  std::vector<char> is_corner = boundary.is_corner;
+  is_corner.resize(working.mesh.number_of_vertices(), 0);
   const Intrinsic_triangulation triangulation(working.mesh);
   Fast_marching marching(triangulation);
-  const std::vector<Vertex> roots = march_from_roots(input.mesh, working.mesh, marching);
-  const std::vector<double> distance = distances_in(marching, working.mesh);
-  const Vertex_order order = order_vertices(working.mesh, distance, roots);
-  const Segmentation segmentation = segment(working.mesh, marching, distance, order, curve_distance);
+  const Fronts_and_components fronts = march_from_roots_and_lines(input.mesh, working.mesh, is_corner, marching);
+  const Segmentation segmentation =
+    segment(working.mesh, marching, distances_in(marching, working.mesh), fronts, curve_distance, true);
 
   const std::vector<int> regions = regions_of_input_faces(input.mesh, working, segmentation);
   for(std::size_t i = 0; i < regions.size(); ++i)

@@ -16,6 +16,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample.h>
 #include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
+#include <CGAL/Geodesic_remeshing/internal/Sheet_search.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ public:
                 std::size_t expected)
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
       m_segmentation(segmentation), m_curves(curves), m_lines(lines),
-      m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected), m_path(surface, working, lines)
+      m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected), m_sheets(working.mesh), m_path(surface, working, lines)
   {
     m_samples.reserve(expected + expected / 8);
     m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
@@ -79,17 +80,22 @@ private:
 
   double smallest_distance_from_lines() const { return room_beside_lines * m_edge_length; }
 
-  bool is_free(const Sample& sample, std::ptrdiff_t first_of_curve) const
+  bool is_free(const Sample& sample, std::ptrdiff_t first_of_curve)
   {
     return !(sample.distance_from_lines < smallest_distance_from_lines())
-        && is_free(sample.point, sample.size, first_of_curve);
+        && is_free(sample.face, sample.point, sample.size, first_of_curve);
   }
 
-  bool is_free(const Point& p, double size, std::ptrdiff_t first_of_curve) const
+  // Samples on another sheet, however near, do no harm.
+  bool is_free(Face f, const Point& p, double size, std::ptrdiff_t first_of_curve)
   {
     bool free = true;
-    m_grid.near(p, size, smallest_distance() * size, [&](std::uint32_t id, const Point&, double)
-                { free = free && static_cast<std::ptrdiff_t>(id) >= first_of_curve; });
+    const double distance = smallest_distance() * size;
+    m_grid.near(p, size, distance, [&](std::uint32_t id, const Point&, double)
+    {
+      free = free && (static_cast<std::ptrdiff_t>(id) >= first_of_curve
+                      || !m_sheets.connects(f, m_samples[id].face, p, 1.5 * distance));
+    });
     return free;
   }
 
@@ -101,10 +107,10 @@ private:
 
   bool add_vertex(Vertex v, bool is_pinned)
   {
-    if(!is_free(m_mesh.point(v), m_metric.size(v), static_cast<std::ptrdiff_t>(m_samples.size()))
+    const Face f = face_at(m_mesh, v);
+    if(!is_free(f, m_mesh.point(v), m_metric.size(v), static_cast<std::ptrdiff_t>(m_samples.size()))
        || (!m_lines.distance.empty() && m_lines.distance[v] < smallest_distance_from_lines()))
       return false;
-    const Face f = face_at(m_mesh, v);
     std::array<double, 3> weights = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       weights[i] = vertices_of(m_mesh, f)[i] == v ? 1. : 0.;
@@ -333,6 +339,7 @@ private:
   const Line_samples& m_lines;
   const double m_edge_length, m_spacing;
   Point_grid m_grid;
+  Sheet_search m_sheets;
   std::vector<Sample> m_samples;
   std::vector<std::vector<std::size_t>> m_pins; // of a curve: its points that are samples already
   std::vector<std::pair<std::size_t, std::size_t>> m_order;

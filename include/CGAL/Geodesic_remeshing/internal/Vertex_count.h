@@ -54,7 +54,8 @@ private:
   bool split(Index h, Index other);
   bool split_edge(Index h);
   void find_edge_splits();
-  bool settle(const std::array<Index, 4>& changed, bool is_line = false);
+  double worst_around(const std::array<Index, 4>& vertices) const;
+  bool settle(const std::array<Index, 4>& changed, double before, bool is_line = false);
   double size_cost(Index v, Index w) const;
   double cost_of_lines(Index h) const;
   std::array<Index, 4> corners(Index h) const;
@@ -221,10 +222,11 @@ inline bool Vertex_count::collapse(const Index h)
   const Vector way = remeshed_.spot(b).point - remeshed_.spot(a).point;
   const bool are_alike = remeshed_.is_on_line(a) == remeshed_.is_on_line(b);
   const bool is_line = table_.is_constrained(h);
+  const double before = worst_around(around);
   table_.collapse(h);
   if(!remeshed_.is_fixed(a) && are_alike)
     remeshed_.put(a, remeshed_.spot_after(a, .5 * way));
-  return settle({{a, a, around[2], around[3]}}, is_line);
+  return settle({{a, a, around[2], around[3]}}, before, is_line);
 }
 
 // Divides an edge of a line, or one from line to line, where no vertex is free to be split.
@@ -234,37 +236,47 @@ inline bool Vertex_count::split_edge(const Index h)
   Remeshed_surface::Spot middle;
   if(!remeshed_.find_middle(h, middle))
     return false;
+  const double before = worst_around(around);
   const Index w = table_.split_edge(h);
   remeshed_.put(w, middle);
   touched_[around[0]] = touched_[around[1]] = true;
-  return settle({{w, w, around[2], around[3]}});
+  return settle({{w, w, around[2], around[3]}}, before);
 }
 
 // The vertex and the new one part along the line between their halves of the ring.
 inline bool Vertex_count::split(const Index h, const Index other)
 {
   const Index v = table_.source(h), c = table_.target(h), d = table_.target(other);
+  const double before = worst_around({{v, v, c, d}});
   const Index w = table_.split(h, other);
   remeshed_.put(w, remeshed_.spot(v));
   remeshed_.put(w, remeshed_.spot_after(w, .5 * remeshed_.way_to_center_of_neighbors(w)));
   if(!remeshed_.is_fixed(v))
     remeshed_.put(v, remeshed_.spot_after(v, .5 * remeshed_.way_to_center_of_neighbors(v)));
-  return settle({{v, w, c, d}});
+  return settle({{v, w, c, d}}, before);
+}
+
+inline double Vertex_count::worst_around(const std::array<Index, 4>& vertices) const
+{
+  double worst = 0.;
+  for(const Index v : vertices)
+    worst = (std::max)(worst, remeshed_.ring_badness(v));
+  return worst;
 }
 
 // Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come
-// mend: of little help is that to the vertices of lines, which cannot give way.
-inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const bool is_line)
+// mend: of little help is that to the vertices of lines, which cannot give way. But where it was as bad before, as
+// between lines nearer to each other than the edges are long, nothing is lost.
+inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const double before, const bool is_line)
 {
   static const double mendable_inside = badness_of_angle(least_angle);
-  const double mendable = is_line ? badness_of_angle(least_angle_on_lines_) : mendable_inside;
+  const double mendable = is_line ? badness_of_angle(least_angle_on_lines_) : (std::max)(mendable_inside, before);
   for(int round = 0; round < 2; ++round)
     for(const Index v : changed)
       if(!remeshed_.is_fixed(v))
         relax_vertex(remeshed_, v);
-  for(const Index v : changed)
-    if(remeshed_.ring_badness(v) > mendable)
-      return false;
+  if(worst_around(changed) > mendable)
+    return false;
   for(const Index v : changed)
     touched_[v] = true;
   return true;

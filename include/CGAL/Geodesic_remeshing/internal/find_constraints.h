@@ -150,6 +150,16 @@ inline void mark_ends_of_lines(const Mesh& mesh, Constraints& constraints)
       constraints.is_corner[mesh.vertex(e, i).idx()] |= constraints.is_line[e.idx()];
 }
 
+// Of all lines the boundary only, with its corners
+inline Constraints find_boundary(const Mesh& mesh, double edge_length)
+{
+  Constraints result{std::vector<char>(mesh.number_of_edges(), 0), std::vector<char>(mesh.number_of_vertices(), 0)};
+  for(Edge e : mesh.edges())
+    result.is_line[e.idx()] = mesh.is_border(e);
+  find_corners(mesh, edge_length, result);
+  return result;
+}
+
 // All that the output has to follow: the boundary, the features, the edges and vertices that the user has
 // constrained, and the borders of his patches.
 template <class TriangleMesh, class NamedParameters>
