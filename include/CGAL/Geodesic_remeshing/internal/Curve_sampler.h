@@ -86,7 +86,8 @@ private:
         && is_free(sample.face, sample.point, sample.size, first_of_curve);
   }
 
-  // Samples on another sheet, however near, do no harm.
+  // Samples on another sheet, however near, do no harm, if it is another one as far as the triangles to come reach: around a limb
+  // or the rim of a fin they do.
   bool is_free(Face f, const Point& p, double size, std::ptrdiff_t first_of_curve)
   {
     bool free = true;
@@ -94,7 +95,7 @@ private:
     m_grid.near(p, size, distance, [&](std::uint32_t id, const Point&, double)
     {
       free = free && (static_cast<std::ptrdiff_t>(id) >= first_of_curve
-                      || !m_sheets.connects(f, m_samples[id].face, p, 1.5 * distance));
+                      || !m_sheets.connects(f, m_samples[id].face, p, 3. * distance));
     });
     return free;
   }
