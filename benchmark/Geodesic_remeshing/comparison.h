@@ -25,6 +25,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace benchmark {
@@ -91,7 +92,8 @@ inline void keep_mesh(const std::string& folder, const std::string& model, const
 }
 
 // All remeshers on one model. They take turns, so that what else the machine does meets all of them.
-inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>& remeshers, const Options& options)
+inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>& remeshers, const Options& options,
+                                   std::vector<Mesh>* kept = nullptr)
 {
   const Mesh input = read_model(task.model);
   std::vector<Run> runs;
@@ -120,6 +122,8 @@ inline std::vector<Result> measure(const Task& task, const std::vector<Remesher>
     if(!options.meshes.empty())
       keep_mesh(options.meshes, task.model, remeshers[i].name, outputs[i]);
   }
+  if(kept != nullptr)
+    *kept = std::move(outputs);
   return results;
 }
 

@@ -13,10 +13,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
-#include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
-#include <CGAL/Geodesic_remeshing/internal/Sample.h>
+#include <CGAL/Geodesic_remeshing/internal/Sample_set.h>
 #include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
-#include <CGAL/Geodesic_remeshing/internal/Sheet_search.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
 #include <algorithm>
@@ -41,16 +39,15 @@ public:
                 std::size_t expected)
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
       m_segmentation(segmentation), m_curves(curves), m_lines(lines),
-      m_edge_length(edge_length), m_spacing(spacing), m_grid(1.5 * edge_length, expected), m_sheets(working.mesh), m_path(surface, working, lines)
+      m_edge_length(edge_length), m_spacing(spacing), m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines)
   {
-    m_samples.reserve(expected + expected / 8);
     m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
   }
 
   std::vector<Sample> run(const std::vector<Vertex>& roots)
   {
     for(const Sample& sample : m_lines.samples)
-      add(sample);
+      m_samples.add(sample);
     for(Vertex r : roots)
       add_vertex(r, true);
     for(Vertex v : m_segmentation.tips)
@@ -60,7 +57,7 @@ public:
     for(std::size_t c = 0; c < m_curves.curves.size(); ++c)
       sample_curve(c);
     add_peaks();
-    return std::move(m_samples);
+    return m_samples.take();
   }
 
   // A rule for tiny curves: a loop needs three samples to be more than a line, and has them from three quarters of an edge
@@ -74,48 +71,16 @@ public:
 private:
   // ---- the single samples
 
-  // A sample is refused where another is nearer than this: rows of samples where two curves almost touch only make needles.
-  // On one curve samples keep their own distance, which in a thin tube may be smaller.
-  double smallest_distance() const { return .5 * m_edge_length; }
-
-  double smallest_distance_from_lines() const { return room_beside_lines * m_edge_length; }
-
-  bool is_free(const Sample& sample, std::ptrdiff_t first_of_curve)
-  {
-    return !(sample.distance_from_lines < smallest_distance_from_lines())
-        && is_free(sample.face, sample.point, sample.size, first_of_curve);
-  }
-
-  // Samples on another sheet, however near, do no harm, if it is another one as far as the triangles to come reach: around a limb
-  // or the rim of a fin they do.
-  bool is_free(Face f, const Point& p, double size, std::ptrdiff_t first_of_curve)
-  {
-    bool free = true;
-    const double distance = smallest_distance() * size;
-    m_grid.near(p, size, distance, [&](std::uint32_t id, const Point&, double)
-    {
-      free = free && (static_cast<std::ptrdiff_t>(id) >= first_of_curve
-                      || !m_sheets.connects(f, m_samples[id].face, p, 3. * distance));
-    });
-    return free;
-  }
-
-  void add(const Sample& sample)
-  {
-    m_grid.insert(sample.point, sample.size, static_cast<std::uint32_t>(m_samples.size()));
-    m_samples.push_back(sample);
-  }
-
   bool add_vertex(Vertex v, bool is_pinned)
   {
     const Face f = face_at(m_mesh, v);
-    if(!is_free(f, m_mesh.point(v), m_metric.size(v), static_cast<std::ptrdiff_t>(m_samples.size()))
-       || (!m_lines.distance.empty() && m_lines.distance[v] < smallest_distance_from_lines()))
+    if(!m_samples.is_free(f, m_mesh.point(v), m_metric.size(v), m_samples.size())
+       || (!m_lines.distance.empty() && m_lines.distance[v] < room_beside_lines * m_edge_length))
       return false;
     std::array<double, 3> weights = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       weights[i] = vertices_of(m_mesh, f)[i] == v ? 1. : 0.;
-    add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), m_metric.size(v), is_pinned,
+    m_samples.add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), m_metric.size(v), is_pinned,
                m_segmentation.field_region[v], 0});
     return true;
   }
@@ -176,13 +141,13 @@ private:
     for(int i = 0; i <= n; ++i)
     {
       Sample sample = m_path.sample_at(length * i / n, m_segmentation.field_region[bridge[middle]], 0);
-      if(!is_free(sample, static_cast<std::ptrdiff_t>(m_samples.size())))
+      if(!m_samples.is_free(sample, m_samples.size()))
         continue;
       if(i == 0 && cut_low)
         pin(crossing_low);
       if(i == n && cut_high)
         pin(crossing_high);
-      add(sample);
+      m_samples.add(sample);
     }
   }
 
@@ -236,12 +201,12 @@ private:
 
   void add_row(const Level_curve& curve, double start, double step, int n)
   {
-    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(m_samples.size());
+    const std::size_t first = m_samples.size();
     for(int i = 0; i < n; ++i)
     {
       const Sample sample = m_path.sample_at(start + i * step, curve.region, curve.level);
-      if(is_free(sample, first))
-        add(sample);
+      if(m_samples.is_free(sample, first))
+        m_samples.add(sample);
     }
   }
 
@@ -256,14 +221,14 @@ private:
       const double to = i + 1 < pins.size() ? m_path.lengths()[pins[i + 1]] : length + m_path.lengths()[pins.front()];
       const int n = (std::max)(1, static_cast<int>(std::lround((to - from) / m_spacing)));
       const double step = (to - from) / n;
-      const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(m_samples.size());
+      const std::size_t first = m_samples.size();
       for(int j = 1; j < n; ++j)
       {
         double s = from + j * step;
         s -= s >= length ? length : 0.;
         const Sample sample = m_path.sample_at(s, curve.region, curve.level);
-        if(is_free(sample, first))
-          add(sample);
+        if(m_samples.is_free(sample, first))
+          m_samples.add(sample);
       }
     }
   }
@@ -286,9 +251,9 @@ private:
       const Vector tangent = (m_path.point(j).point - m_path.point(j - 1).point) / l; // a unit vector, but for the density
       const Point here = m_path.point(j - 1).point + (s - lengths[j - 1]) * tangent;
       const double density = .5 * (m_path.point(j - 1).density + m_path.point(j).density);
-      m_grid.near(here, 1. / density, 1.3 * m_edge_length / density, [&](std::uint32_t id, const Point& q, double)
+      m_samples.for_each_near(here, 1. / density, 1.3 * m_edge_length / density, [&](const Sample& other, const Point& q)
       {
-        if(!is_before(m_samples[id], curve))
+        if(!is_before(other, curve))
           return;
         const double offset = density * density * ((q - here) * tangent);
         if(std::abs(offset) > .75 * step)
@@ -339,9 +304,7 @@ private:
   const Level_curves& m_curves;
   const Line_samples& m_lines;
   const double m_edge_length, m_spacing;
-  Point_grid m_grid;
-  Sheet_search m_sheets;
-  std::vector<Sample> m_samples;
+  Sample_set m_samples;
   std::vector<std::vector<std::size_t>> m_pins; // of a curve: its points that are samples already
   std::vector<std::pair<std::size_t, std::size_t>> m_order;
   Sampled_path m_path;

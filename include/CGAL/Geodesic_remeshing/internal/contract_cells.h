@@ -10,13 +10,12 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CONTRACT_CELLS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CONTRACT_CELLS_H
 
-#include <CGAL/Geodesic_remeshing/internal/Metric.h>
+#include <CGAL/Geodesic_remeshing/internal/Cell_growth.h>
 #include <CGAL/Geodesic_remeshing/internal/open_separating_triangles.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -39,8 +38,7 @@ public:
   {}
 
   Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples, Line_map is_line)
-    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0),
-      m_cell(mesh.number_of_vertices(), none), m_mark(mesh.number_of_vertices(), none)
+    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0), m_mark(mesh.number_of_vertices(), none)
   {
     for(Edge e : mesh.edges())
     {
@@ -48,7 +46,10 @@ public:
       if(m_is_line[e])
         m_is_on_line[mesh.vertex(e, 0)] = m_is_on_line[mesh.vertex(e, 1)] = 1;
     }
-    grow_cells(samples);
+    Cell_growth growth(m_mesh, m_is_line, m_is_on_line);
+    growth.run(samples);
+    m_grown = growth.by_cell();
+    m_cell = growth.take_cells();
   }
 
   // Contracts all cells. A vertex that cannot go yet, since its contraction would pinch the surface, may go when
@@ -56,7 +57,7 @@ public:
   // topology.
   std::vector<Vertex> run()
   {
-    std::vector<Vertex> left = by_cell();
+    std::vector<Vertex> left = std::move(m_grown);
     for(bool into_any_neighbour : {false, true})
       for(std::size_t before = left.size() + 1; left.size() < before && !left.empty();)
       {
@@ -68,74 +69,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
-
-  using Entry = std::pair<double, Vertex>;
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
-
-  // First along the lines, then from what lies on them and the other samples over the rest
-  void grow_cells(const std::vector<Vertex>& samples)
-  {
-    std::vector<double> distance(m_mesh.number_of_vertices(), infinity);
-    Queue on_lines, others;
-    for(Vertex s : samples)
-    {
-      if(!s.is_valid())
-        continue;
-      distance[s] = 0.;
-      m_cell[s] = s.idx();
-      (m_is_on_line[s] ? on_lines : others).emplace(0., s);
-    }
-    m_grown.reserve(m_mesh.number_of_vertices());
-    grow(on_lines, distance, true);
-    for(Vertex v : m_mesh.vertices())
-      if(m_is_on_line[v] && m_cell[v] != none)
-        others.emplace(distance[v], v);
-    grow(others, distance, false);
-  }
-
-  // Dijkstra over the edges: coarse for distances, but every vertex is joined to its sample by edges within the cell
-  void grow(Queue& queue, std::vector<double>& distance, bool along_lines)
-  {
-    const Metric metric(m_mesh);
-    while(!queue.empty())
-    {
-      const Entry top = queue.top();
-      queue.pop();
-      const Vertex v = top.second;
-      if(distance[v] < top.first)
-        continue;
-      if(m_cell[v] != v.idx() && (m_is_on_line[v] != 0) == along_lines)
-        m_grown.push_back(v);
-      for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      {
-        const Vertex w = m_mesh.source(h);
-        if(along_lines ? !m_is_line[m_mesh.edge(h)] : m_is_on_line[w] != 0)
-          continue;
-        const double d = top.first + metric.length(h);
-        if(!(d < distance[w]))
-          continue;
-        distance[w] = d;
-        m_cell[w] = m_cell[v];
-        queue.emplace(d, w);
-      }
-    }
-  }
-
-  // The vertices to contract, cell by cell, in each nearest to the sample first, so that all become its neighbours in
-  // turn
-  std::vector<Vertex> by_cell() const
-  {
-    std::vector<std::uint32_t> begin(m_mesh.number_of_vertices() + 1, 0);
-    for(Vertex v : m_grown)
-      ++begin[m_cell[v] + 1];
-    for(std::size_t i = 1; i < begin.size(); ++i)
-      begin[i] += begin[i - 1];
-    std::vector<Vertex> result(m_grown.size());
-    for(Vertex v : m_grown)
-      result[begin[m_cell[v]]++] = v;
-    return result;
-  }
+  static constexpr std::uint32_t none = Cell_growth::none;
 
   std::vector<Vertex> contract(const std::vector<Vertex>& vertices, bool into_any_neighbour)
   {
@@ -305,7 +239,7 @@ private:
   std::vector<char> m_is_on_line;
   std::vector<std::uint32_t> m_cell;  // of a vertex: its sample
   std::vector<std::uint32_t> m_mark;  // of a vertex: the sample whose ring was marked last and holds it
-  std::vector<Vertex> m_grown;        // all vertices but the samples, nearest to their sample first
+  std::vector<Vertex> m_grown;        // all vertices but the samples, cell by cell, nearest to their sample first
 };
 
 } // namespace internal
