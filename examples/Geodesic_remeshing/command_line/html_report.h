@@ -216,12 +216,12 @@ inline std::vector<std::size_t> valence_histogram(const Mesh& mesh)
   return bins;
 }
 
-inline nlohmann::ordered_json encoded_meshes(const Mesh& input, const Mesh& output, const Stage_results& stages, const Frame& frame,
-                                             double& largest_deviation)
+inline nlohmann::ordered_json encoded_meshes(const Mesh& input, const Mesh& output, bool is_fitted, const Stage_results& stages,
+                                             const Frame& frame, double& largest_deviation)
 {
   const Shown_mesh shown_input = shown_mesh(input, largest_number_of_shown_faces);
   const Shown_mesh shown_output = shown_mesh(output, largest_number_of_shown_faces);
-  const auto of_input = deviations(input, shown_input, output, true), of_output = deviations(output, shown_output, input, false);
+  const auto of_input = deviations(input, shown_input, output, true), of_output = deviations(output, shown_output, input, is_fitted);
   largest_deviation = (std::max)(almost_largest(of_input), almost_largest(of_output));
   nlohmann::ordered_json meshes;
   meshes["input"] = encoded_shape(input, shown_input, frame);
@@ -252,7 +252,7 @@ inline void write_html(std::ostream& out, const std::string& title, const Report
   data["report"] = report_as_json(report);
   data["histograms"] = {{"angles", {{"input", internal::angle_histogram(input)}, {"output", internal::angle_histogram(output)}}},
                         {"valences", {{"input", internal::valence_histogram(input)}, {"output", internal::valence_histogram(output)}}}};
-  data["meshes"] = internal::encoded_meshes(input, output, stages, frame, largest_deviation);
+  data["meshes"] = internal::encoded_meshes(input, output, report.is_fitted, stages, frame, largest_deviation);
   data["largest_deviation"] = 100. * largest_deviation / mesh_quality::diagonal(input);
   data["curves"] = internal::encoded_curves(stages, frame);
   for(int i = 0; i < number_of_region_colors; ++i)
