@@ -287,7 +287,8 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   std::vector<char> is_corner = constraints.is_corner;
   is_corner.resize(working.mesh.number_of_vertices(), 0);
   Working_surface cut;
-  const Working_surface& pieces = cut_along_lines(working, is_corner, cut);
+  const bool wants_regions = is_given<NamedParametersOut, Geodesic_remeshing::internal_np::face_region_map_t>; // found out at the end
+  const Working_surface& pieces = cut_along_lines(working, is_corner, cut, wants_regions);
 
   clock.stage("distances", .1);
   const Intrinsic_triangulation triangulation(pieces.mesh);

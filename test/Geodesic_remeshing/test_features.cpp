@@ -680,6 +680,27 @@ TEST(Regions_of_faces, are_those_of_the_segmented_surface)
     EXPECT_NEAR(area[a.first], a.second, .02 * all) << a.first;
 }
 
+// Then contraction uses up the surface that was segmented.
+TEST(Regions_of_faces, of_an_output_with_far_fewer_faces_than_the_input)
+{
+  const Mesh input = made::rounded(made::cactus_blocks(), 3);
+  GR::Stage_results stages;
+  Mesh output;
+  auto region = output.add_property_map<Face, int>("f:region", -1).first;
+  const int n = static_cast<int>(input.number_of_vertices() / 8);
+  const GR::Summary summary = geodesic_remeshing(input, n, output, parameters::stage_results(std::ref(stages)),
+                                                 parameters::face_region_map(region));
+  const auto of_surface = stages.regions.property_map<Face, int>("f:region").value();
+  std::map<int, double> area, area_of_surface;
+  for(Face f : output.faces())
+    area[region[f]] += PMP::face_area(f, output);
+  for(Face f : stages.regions.faces())
+    area_of_surface[of_surface[f]] += PMP::face_area(f, stages.regions);
+  EXPECT_EQ(area_of_surface.size(), summary.number_of_regions);
+  for(const auto& a : area_of_surface)
+    EXPECT_NEAR(area[a.first], a.second, .04 * PMP::area(input)) << a.first;
+}
+
 TEST(Regions_of_faces, in_place_and_with_lines)
 {
   Mesh mesh = made::box(3, 2, 2);

@@ -97,13 +97,14 @@ private:
   std::vector<char> m_is_used;
 };
 
-// The working surface itself where no line is inside it, else `cut`. `is_corner` is continued for the new vertices.
+// The working surface itself where no line is inside it, else `cut`; or `cut` in any case, for who needs it after the strips,
+// which use the working surface up. `is_corner` is continued for the new vertices.
 inline const Working_surface& cut_along_lines(const Working_surface& working, std::vector<char>& is_corner,
-                                              Working_surface& cut)
+                                              Working_surface& cut, bool is_copy_wanted = false)
 {
   const Mesh& mesh = working.mesh;
   const auto is_inside = [&](Edge e) { return working.is_line[e] && !mesh.is_border(e); };
-  if(std::none_of(mesh.edges_begin(), mesh.edges_end(), is_inside))
+  if(!is_copy_wanted && std::none_of(mesh.edges_begin(), mesh.edges_end(), is_inside))
     return working;
   cut.mesh = mesh;
   cut.place = *cut.mesh.property_map<Vertex, Place>("v:place");
