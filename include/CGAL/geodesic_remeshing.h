@@ -235,7 +235,8 @@ namespace CGAL {
  * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more vertices, if `minimum_length` and `maximum_length`
  *         exclude the number asked for (the message says which numbers they allow), or if the visitor stops the work
  *
- * In both cases `out` is left as it was.
+ * Whatever is thrown, also by the visitor, by a map or field that is read, or because memory runs out: `out`, its property maps and those of `tmesh` are
+ * left as they were, provided that writing to a map does not throw. `stage_results` then has what the stages before made.
  *
  * \cgalBigO{(n + m) log (n + m)} for an input of `n` and an output of `m` vertices.
  *

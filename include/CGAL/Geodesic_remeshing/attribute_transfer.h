@@ -18,6 +18,7 @@
 #include <CGAL/property_map.h>
 
 #include <array>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
@@ -52,13 +53,17 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
                               const VertexLocationMap& location_map, OutputMap output_map)
 {
   using Value = typename boost::property_traits<OutputMap>::value_type;
+  std::vector<Value> values; // all before the first is written: interpolating may fail
   for(auto v : vertices(remeshed))
   {
     const auto location = get(location_map, v);
     const auto h = halfedge(location.first, tmesh);
-    put(output_map, v, internal::interpolate<Value>(get(input_map, source(h, tmesh)), get(input_map, target(h, tmesh)),
-                                                    get(input_map, target(next(h, tmesh), tmesh)), location.second));
+    values.push_back(internal::interpolate<Value>(get(input_map, source(h, tmesh)), get(input_map, target(h, tmesh)),
+                                                  get(input_map, target(next(h, tmesh), tmesh)), location.second));
   }
+  auto value = values.begin();
+  for(auto v : vertices(remeshed))
+    put(output_map, v, Value(*value++));
 }
 
 /*!
@@ -111,11 +116,15 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
                             const NamedParameters& np = parameters::default_values())
 {
   const internal::Corner_locator<TriangleMesh> locator(tmesh, np);
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> origins;
   for(auto f : faces(remeshed))
   {
     std::array<internal::Place, 3> corners = locator.corners(f, remeshed, location_map);
-    put(output_map, f, get(input_map, locator.face_of(locator.towards_centre(corners, 0, 1.).face)));
+    origins.push_back(locator.face_of(locator.towards_centre(corners, 0, 1.).face));
   }
+  auto origin = origins.begin();
+  for(auto f : faces(remeshed))
+    put(output_map, f, get(input_map, *origin++));
 }
 
 /*!
@@ -170,6 +179,7 @@ void transfer_corner_property(const TriangleMesh& tmesh, const InputMap& input_m
 {
   using Value = typename boost::property_traits<OutputMap>::value_type;
   const internal::Corner_locator<TriangleMesh> locator(tmesh, np);
+  std::vector<Value> values;
   for(auto f : faces(remeshed))
   {
     const std::array<internal::Place, 3> corners = locator.corners(f, remeshed, location_map);
@@ -178,10 +188,16 @@ void transfer_corner_property(const TriangleMesh& tmesh, const InputMap& input_m
     {
       const internal::Place place = locator.beside(corners, i);
       const auto g = halfedge(locator.face_of(place.face), tmesh);
-      put(output_map, prev(h, remeshed),
-          internal::interpolate<Value>(get(input_map, prev(g, tmesh)), get(input_map, g), get(input_map, next(g, tmesh)),
-                                       place.coordinates));
+      values.push_back(internal::interpolate<Value>(get(input_map, prev(g, tmesh)), get(input_map, g),
+                                                    get(input_map, next(g, tmesh)), place.coordinates));
     }
+  }
+  auto value = values.begin();
+  for(auto f : faces(remeshed))
+  {
+    auto h = halfedge(f, remeshed);
+    for(int i = 0; i < 3; ++i, h = next(h, remeshed))
+      put(output_map, prev(h, remeshed), Value(*value++));
   }
 }
 

@@ -145,6 +145,7 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
   }
   const Segmentation levels = levels_of_function(std::move(function), values);
   const Level_curves traced = Curve_tracer(input.mesh, levels).trace();
+  std::vector<Equidistant_curve<TriangleMesh, User_point>> results; // all or none go out
   for(const Level_curve& curve : traced.curves)
   {
     Equidistant_curve<TriangleMesh, User_point> result{values[curve.level - 1], curve.is_closed, {}, {}};
@@ -153,9 +154,9 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
       result.points.push_back(from_point(traits, point_at(input.mesh, traced.points[i])));
       result.places.emplace_back(halfedge_of_input(tmesh, input, traced.points[i].halfedge), traced.points[i].position);
     }
-    *curves++ = std::move(result);
+    results.push_back(std::move(result));
   }
-  return curves;
+  return std::move(results.begin(), results.end(), curves);
 }
 
 } // namespace Geodesic_remeshing

@@ -158,8 +158,6 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
     segment(working.mesh, marching, distances_in(marching, working.mesh), fronts, curve_distance, true);
 
   const std::vector<int> regions = regions_of_input_faces(input.mesh, working, segmentation);
-  for(std::size_t i = 0; i < regions.size(); ++i)
-    put(face_region_map, input.face_of[i], regions[i]);
   Region_tree<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> tree;
   for(const Region& region : segmentation.regions)
   {
@@ -170,6 +168,8 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
     tree.push_back({region.kind, region.parents, region.children, input.vertex_of[near], region.height,
                     static_cast<std::size_t>(region.number_of_levels)});
   }
+  for(std::size_t i = 0; i < regions.size(); ++i) // at the end, when nothing can fail any more
+    put(face_region_map, input.face_of[i], regions[i]);
   return tree;
 }
 

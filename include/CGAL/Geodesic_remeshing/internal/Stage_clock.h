@@ -24,7 +24,10 @@ template <class Visitor>
 class Stage_clock
 {
 public:
-  Stage_clock(Visitor& visitor, Summary& summary) : m_visitor(visitor), m_summary(summary), m_start(std::clock()) {}
+  Stage_clock(Visitor& visitor, Summary& summary) : m_visitor(visitor), m_summary(summary), m_start(std::clock())
+  {
+    m_summary.seconds.reserve(16); // the last stage is entered after the output has changed, when nothing may fail any more
+  }
 
   // Begins a stage, at which this part of the whole work is done, and ends the one before.
   void stage(const std::string& name, double done)

@@ -13,83 +13,32 @@
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Points_of_graph.h>
 #include <CGAL/Geodesic_remeshing/internal/faces_beside_lines.h>
+#include <CGAL/Geodesic_remeshing/internal/replace_mesh.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <iterator>
+#include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Which elements of the output are copies of which of the internal mesh
-template <class OutputMesh>
-struct Copied_elements
-{
-  using Traits = boost::graph_traits<OutputMesh>;
-  std::vector<std::pair<Vertex, typename Traits::vertex_descriptor>> vertices;
-  std::vector<std::pair<Halfedge, typename Traits::halfedge_descriptor>> halfedges;
-  std::vector<std::pair<Face, typename Traits::face_descriptor>> faces;
-};
-
-template <class Graph, class = void>
-struct keeps_garbage_for_ever : std::false_type
-{};
-template <class Graph>
-struct keeps_garbage_for_ever<Graph, std::void_t<decltype(std::declval<Graph&>().garbage_collection())>> : std::true_type
-{};
-
-// Empties a mesh, but not of the caller's property maps, which clear() would take with it. What CGAL does with an OpenMesh takes
-// quadratic time, as its ranges begin by skipping what is removed, and leaves that behind.
-template <class OutputMesh>
-void remove_elements(OutputMesh& out)
-{
-  if constexpr(keeps_garbage_for_ever<OutputMesh>::value)
-  {
-    const auto all = [](const auto& range) { return std::vector(range.begin(), range.end()); };
-    for(const auto e : all(edges(out)))
-      remove_edge(e, out);
-    for(const auto f : all(faces(out)))
-      remove_face(f, out);
-    for(const auto v : all(vertices(out)))
-      remove_vertex(v, out);
-    if(num_vertices(out) > 0)
-      out.garbage_collection();
-  }
-  else
-    remove_all_elements(out);
-}
-
-template <class OutputMesh, class NamedParameters>
-Copied_elements<OutputMesh> copy_to_output(const Mesh& mesh, OutputMesh& out, const NamedParameters& np)
-{
-  Copied_elements<OutputMesh> copied;
-  remove_elements(out);
-  copy_face_graph(mesh, out,
-                  CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(copied.vertices))
-                    .halfedge_to_halfedge_output_iterator(std::back_inserter(copied.halfedges))
-                    .face_to_face_output_iterator(std::back_inserter(copied.faces)),
-                  CGAL::parameters::vertex_point_map(output_points_of(out, np)));
-  return copied;
-}
-
 // Where each vertex of the output lies on the input, in the manner of `Polygon_mesh_processing::Face_location`
-template <class TriangleMesh, class OutputMesh, class Location_map>
-void write_locations(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed,
-                     const Copied_elements<OutputMesh>& copied, Location_map map)
+template <class Location, class TriangleMesh>
+std::vector<Location> locations_of_vertices(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed)
 {
-  using Location = typename boost::property_traits<Location_map>::value_type;
-  for(const auto& v : copied.vertices)
+  std::vector<Location> result;
+  result.reserve(remeshed.mesh.number_of_vertices());
+  for(Vertex v : remeshed.mesh.vertices())
   {
-    const Place& place = remeshed.place[v.first];
+    const Place& place = remeshed.place[v];
     const auto& c = place.coordinates;
-    put(map, v.second, Location(input.face_of[place.face], typename Location::second_type{{c[0], c[1], c[2]}}));
+    result.emplace_back(input.face_of[place.face], typename Location::second_type{{c[0], c[1], c[2]}});
   }
+  return result;
 }
 
 // The patch of each face: an id of the input; or, if it has none, the number of the piece between lines
@@ -114,31 +63,45 @@ auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mes
     return piece;
 }
 
-// Replaces the output by the result and fills the maps that the parameters of the output name. `regions()` gives the region of each
-// face, where they are wanted.
+// Replaces the output by the result and fills the maps that the parameters of the output name: with values made before the output
+// changes, because making them can fail, and because the output may be the input.
+// `regions()` gives the region of each face, where they are wanted.
 template <class TriangleMesh, class OutputMesh, class NamedParametersIn, class NamedParametersOut, class Regions>
 void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed, const NamedParametersIn& np_in,
                   OutputMesh& out, const NamedParametersOut& np_out, const Regions& regions)
 {
   using CGAL::parameters::get_parameter;
   constexpr bool wants_patches = is_given<NamedParametersOut, internal_np::face_patch_t>;
+  constexpr bool wants_locations = is_given<NamedParametersOut, internal_np::vertex_location_map_t>;
   const auto patches = [&]
   {
-    if constexpr(wants_patches) // read before the output changes: it may be the input
+    if constexpr(wants_patches)
       return patches_of_faces(input, remeshed, np_in);
+    else
+      return 0;
+  }();
+  const auto locations = [&]
+  {
+    if constexpr(wants_locations)
+      return locations_of_vertices<typename boost::property_traits<
+        std::decay_t<decltype(get_parameter(np_out, internal_np::vertex_location_map))>>::value_type>(input, remeshed);
     else
       return 0;
   }();
   constexpr bool wants_regions = is_given<NamedParametersOut, internal_np::face_region_map_t>;
   const std::vector<int> region_of = wants_regions ? regions() : std::vector<int>();
-  const Copied_elements<OutputMesh> copied = copy_to_output(remeshed.mesh, out, np_out);
-  if constexpr(is_given<NamedParametersOut, internal_np::vertex_location_map_t>)
-    write_locations(input, remeshed, copied, get_parameter(np_out, internal_np::vertex_location_map));
+  const Copied_elements<OutputMesh> copied = replace_mesh(remeshed.mesh, out, output_points_of(out, np_out));
+  if constexpr(wants_locations)
+  {
+    const auto map = get_parameter(np_out, internal_np::vertex_location_map);
+    for(std::size_t i = 0; i < locations.size(); ++i)
+      put(map, copied.vertices[i].second, locations[i]);
+  }
   if constexpr(is_given<NamedParametersOut, internal_np::edge_is_constrained_t>)
   {
     const auto map = get_parameter(np_out, internal_np::edge_is_constrained);
-    for(const auto& h : copied.halfedges)
-      put(map, edge(h.second, out), remeshed.constrained[remeshed.mesh.edge(h.first)]);
+    for(const auto& e : copied.edges)
+      put(map, e.second, remeshed.constrained[e.first]);
   }
   if constexpr(wants_patches)
   {
