@@ -165,7 +165,7 @@ void run(const Options& options)
   const auto write_output = command_line::mesh_writer(options.output, output_format);
   if(options.transfer && !Transfer::is_possible(file.format(), output_format))
     throw command_line::Usage_error("--transfer goes from .ply to .ply and from .obj to .obj");
-  command_line::Input input = command_line::read_mesh(file, options.do_repair);
+  command_line::Input input = command_line::read_mesh(file, options.do_repair, options.stitch_tolerance);
   command_line::Output_files files;
   announce_all(files, options);
   std::ostream& messages = files.use_standard_output() ? std::cerr : std::cout;
@@ -197,6 +197,8 @@ void run(const Options& options)
   files.put_into_place();
   if(!options.quiet)
     command_line::write_table(messages, report);
+  if(!std::cout.flush())
+    throw command_line::Output_error("standard output cannot be written");
 }
 
 int complain(const std::string& message, Exit_status status)

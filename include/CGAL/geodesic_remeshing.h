@@ -274,6 +274,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Goal goal = options.do_project || !wishes.empty() ? set_goal(target, wishes, sizing_limits_of(np_in), input.mesh)
                                                           : set_goal_of_fit(target, input.mesh);
   check_scale(goal.mean_edge_length);
+  check_thinness(surface, goal.mean_edge_length, goal.number_of_vertices);
   const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
 
   clock.stage("refinement", .05);

@@ -18,6 +18,10 @@
 #include <utility>
 #include <vector>
 
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace {
 
 using namespace command_line_support;
@@ -597,4 +601,121 @@ TEST_F(Command_line, output_of_before_survives_a_failure)
   const std::string kept = file("kept.off", "something");
   EXPECT_EQ(run(mesh("eight") + " " + kept + " --vertices 4").status, 3);
   EXPECT_EQ(contents(kept), "something");
+}
+
+// Two halves of a box, a little apart: nothing but --stitch joins them
+TEST_F(Command_line, boundaries_are_stitched_within_a_tolerance)
+{
+  const std::string halves = file("halves.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 .01\n1 0 .01\n1 1 .01\n0.5 .5 1\n"
+                                                "3 0 2 1\n3 0 3 2\n3 4 5 7\n3 5 6 7\n3 6 2 7\n3 2 3 7\n3 3 4 7\n3 2 6 1\n");
+  const auto loops = [&](const std::string& options) {
+    const Outcome outcome = run(halves + " " + output() + " --vertices 100 --check --report " + output("r.json") + options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(contents(output("r.json")))["output"]["boundary_loops"].get<int>();
+  };
+  EXPECT_GT(loops(""), 0);
+  EXPECT_GT(loops(" --stitch 0.009"), 0);
+  EXPECT_EQ(loops(" --stitch 0.011"), 0);
+  EXPECT_NE(run(halves + " " + output() + " --vertices 100 --stitch 0.011").out.find("stitched 2 vertices"), std::string::npos);
+  for(const char* wrong : {" --stitch 0", " --stitch -1", " --stitch nan", " --stitch 1 --no-repair"})
+    EXPECT_EQ(run(halves + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
+}
+
+// Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong
+TEST_F(Command_line, damaged_files)
+{
+  EXPECT_EQ(run(mesh("eight") + " '" + (folder / "small.off").string() + "' --vertices 40").status, 0);
+  for(const std::string ending : {"off", "obj", "ply", "stl", "ts"})
+  {
+    const std::string whole = (folder / ("whole." + ending)).string();
+    ASSERT_EQ(run((folder / "small.off").string() + " '" + whole + "' --vertices 40 --iterations 0").status, 0);
+    const std::string bytes = contents(whole);
+    std::vector<std::string> damaged;
+    for(const double part : {.01, .1, .5, .9, .99})
+      damaged.push_back(bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))));
+    for(const std::size_t at : {0, 5, 10, 83})
+      (damaged.emplace_back(bytes), damaged.back()[at] ^= 4);
+    for(const double part : {.25, .5, .75, .95})
+      (damaged.emplace_back(bytes), damaged.back()[static_cast<std::size_t>(part * static_cast<double>(bytes.size()))] ^= 64);
+    for(std::size_t i = 0; i < damaged.size(); ++i)
+    {
+      const std::string name = file("damaged." + ending, damaged[i]);
+      const Outcome outcome = run("'" + name + "' '" + output() + "' --vertices 60 --quiet");
+      EXPECT_TRUE(outcome.status == 0 || outcome.status == 2 || outcome.status == 3) << name << " " << i << ": " << outcome.status << outcome.err;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), outcome.status == 0 ? 0 : 1) << outcome.err;
+      EXPECT_EQ(fs::is_empty(folder / "written"), outcome.status != 0) << name << " " << i;
+      fs::remove(output());
+    }
+  }
+}
+
+TEST_F(Command_line, input_without_permission)
+{
+  if(geteuid() == 0)
+    GTEST_SKIP() << "root may read everything";
+  const std::string secret = file("secret.off", "OFF\n0 0 0\n");
+  fs::permissions(secret, fs::perms::none);
+  expect_bad_input(secret, "cannot be opened");
+}
+
+// No more than a few blocks may be written: what a full disk looks like, without one. The old file stays, and nothing beside it.
+TEST_F(Command_line, output_that_does_not_fit)
+{
+  const std::string kept = (folder / "written" / "kept.off").string();
+  std::ofstream(kept) << "something";
+  const std::string command = std::string("ulimit -f 1; '") + GEODESIC_REMESH_PROGRAM + "' " + mesh("eight") + " '" + kept +
+                              "' --vertices 5000 --iterations 0 --quiet 2>&1 | cat >'" + (folder / "stderr").string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_NE(contents(folder / "stderr").find("cannot be written: File too large"), std::string::npos) << contents(folder / "stderr");
+  EXPECT_EQ(contents(kept), "something");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "written"), fs::directory_iterator()), 1);
+}
+
+TEST_F(Command_line, standard_output_that_is_full)
+{
+  if(!fs::exists("/dev/full"))
+    GTEST_SKIP() << "no /dev/full";
+  const std::string command = std::string("'") + GEODESIC_REMESH_PROGRAM + "' " + mesh("eight") + " '" + output() +
+                              "' --vertices 100 >/dev/full 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 3);
+}
+
+TEST_F(Command_line, output_through_a_link_keeps_the_link_and_the_permissions)
+{
+  const std::string target = file("target.off", "something");
+  fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(target, output());
+  EXPECT_EQ(run(mesh("eight") + " " + output() + " --vertices 100").status, 0);
+  EXPECT_TRUE(fs::is_symlink(output()));
+  EXPECT_EQ(vertices_and_faces_of_off(target)[0], 100u);
+  EXPECT_EQ(fs::status(target).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+// The signal comes while the temporary file of the output is there and the remeshing, of some seconds, goes on.
+TEST_F(Command_line, interruption_leaves_nothing)
+{
+  const std::string input = mesh("eight"), target = (folder / "written" / "kept.off").string();
+  for(const int signal : {SIGINT, SIGTERM, SIGHUP})
+  {
+    std::ofstream(target) << "something";
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if(child == 0)
+    {
+      ::signal(signal, SIG_DFL);
+      execl(GEODESIC_REMESH_PROGRAM, "geodesic_remesh", input.c_str(), target.c_str(), "--vertices", "300000", "--quiet", nullptr);
+      _exit(127);
+    }
+    const auto files = [&] { return std::distance(fs::directory_iterator(folder / "written"), fs::directory_iterator()); };
+    while(files() < 2 && waitpid(child, nullptr, WNOHANG) == 0)
+      usleep(1000);
+    EXPECT_EQ(files(), 2);
+    kill(child, signal);
+    int status = 0;
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), signal);
+    EXPECT_EQ(contents(target), "something");
+    EXPECT_EQ(files(), 1);
+  }
 }

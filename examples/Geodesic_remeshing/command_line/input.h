@@ -12,6 +12,7 @@
 
 #include "repair.h"
 #include "soup.h"
+#include "stitch.h"
 
 #include <cstddef>
 #include <optional>
@@ -77,8 +78,9 @@ inline Mesh make_mesh(const Soup& soup)
 
 } // namespace internal
 
-// The triangle mesh of a file. What is no mesh is repaired where it can be, or refused with what is wrong, and where.
-inline Input read_mesh(const Input_file& file, bool do_repair)
+// The triangle mesh of a file, the vertices of its boundary made one where they are no farther apart than a tolerance (0: not). What is
+// no mesh is repaired where it can be, or refused with what is wrong, and where.
+inline Input read_mesh(const Input_file& file, bool do_repair, double stitch_tolerance)
 {
   try
   {
@@ -86,12 +88,15 @@ inline Input read_mesh(const Input_file& file, bool do_repair)
     internal::check_points_and_polygons(soup);
     const std::size_t vertices_in_file = soup.points.size();
     std::vector<std::string> repairs;
+    if(stitch_tolerance > 0.)
+      internal::tell(repairs, "stitched", internal::stitch(soup, stitch_tolerance), "vertices of the boundary to others");
     const auto fault = internal::fault(soup);
     if(fault && !do_repair)
       throw Input_error(*fault);
     if(do_repair && (fault || internal::has_open_seams(soup)))
     {
-      repairs = internal::repair(soup);
+      for(const std::string& repair : internal::repair(soup))
+        repairs.push_back(repair);
       if(const auto left = internal::fault(soup))
         throw Input_error(*left);
     }

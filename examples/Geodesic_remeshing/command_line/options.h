@@ -47,6 +47,7 @@ struct Options
   bool fit = false;
   bool protect = false;       // lines keep their vertices and edges
   bool do_repair = true;
+  double stitch_tolerance = 0.; // zero: boundaries stay apart
   bool transfer = false;
   bool check = false;
   bool quiet = false;
@@ -233,6 +234,10 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   options.fit = values["fit"].as<bool>();
   options.protect = values["protect"].as<bool>();
   options.do_repair = !values["no-repair"].as<bool>();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  internal::read_number(values, "stitch", 0., infinity, false, options.stitch_tolerance);
+  if(options.stitch_tolerance > 0. && !options.do_repair)
+    throw Usage_error("--stitch and --no-repair exclude each other");
   options.transfer = values["transfer"].as<bool>();
   options.check = values["check"].as<bool>();
   options.quiet = values["quiet"].as<bool>();

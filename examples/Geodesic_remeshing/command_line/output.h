@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_OUTPUT_H
 
 #include "../include/mesh_quality.h"
+#include "interruption.h"
 #include "system.h"
 
 #include <CGAL/Surface_mesh/IO.h>
@@ -20,6 +21,7 @@
 #include <CGAL/boost/graph/IO/STL.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -63,18 +65,24 @@ public:
         throw Output_error(name + " is asked for twice");
     if(name == "-")
     {
-      m_files.push_back({place, {}});
+      m_files.push_back({place, {}, {}});
       return;
     }
     std::error_code error;
     // renaming a file onto a device would replace the device
     if(fs::exists(place, error) && !fs::is_regular_file(place, error))
       throw Output_error(name + " cannot be written: not a regular file");
-    fs::path temporary = place;
-    temporary.replace_filename("." + place.filename().string() + "." + process_id());
+    // what a link points to is written, not the link
+    fs::path temporary = fs::is_symlink(place, error) ? fs::canonical(place, error) : place;
+    const fs::path target = temporary;
+    temporary.replace_filename("." + target.filename().string() + "." + process_id());
+    m_interruption.add(temporary.string());
+    m_files.push_back({place, target, temporary});
+    errno = 0;
     if(!std::ofstream(temporary))
-      throw Output_error(name + " cannot be written");
-    m_files.push_back({place, temporary});
+      throw Output_error(name + " cannot be written" + reason());
+    if(fs::exists(target, error))
+      fs::permissions(temporary, fs::status(target, error).permissions(), error);
   }
 
   // `write` is given a stream, unless the file was not announced: no name, not wanted. The file counts as written only if
@@ -92,26 +100,27 @@ public:
         write(m_standard_output);
         continue;
       }
+      errno = 0;
       std::ofstream stream(file.temporary, std::ios::binary);
       stream.precision(17);
       write(stream);
       stream.close();
       if(!stream)
-        throw Output_error(name + " cannot be written");
+        throw Output_error(name + " cannot be written" + reason());
     }
   }
 
   void put_into_place()
   {
+    if(use_standard_output())
+      put_to_standard_output();
+    m_interruption.ignore_from_now_on();
     for(const auto& file : m_files)
     {
       if(file.place == "-")
-      {
-        put_to_standard_output();
         continue;
-      }
       std::error_code error;
-      std::filesystem::rename(file.temporary, file.place, error);
+      std::filesystem::rename(file.temporary, file.target, error);
       if(error)
         throw Output_error(file.place.string() + " cannot be written: " + error.message());
     }
@@ -134,9 +143,14 @@ private:
 
   struct File
   {
-    std::filesystem::path place;
+    std::filesystem::path place; // as it was named
+    std::filesystem::path target;
     std::filesystem::path temporary;
   };
+
+  static std::string reason() { return errno == 0 ? "" : ": " + std::generic_category().message(errno); }
+
+  Interruption m_interruption;
   std::vector<File> m_files;
   std::stringstream m_standard_output; // kept until the end, as the files are
 };

@@ -12,33 +12,17 @@
 
 #include "system.h"
 
-#include <csignal>
 #include <iostream>
 #include <string>
 
 namespace command_line {
 
-namespace internal {
-
-inline volatile std::sig_atomic_t interrupted = 0;
-
-} // namespace internal
-
-// The visitor of the remeshing: a bar on the terminal, and an orderly end (nothing written, nothing left behind) when the
-// user presses Ctrl-C.
+// The visitor of the remeshing: a bar on the terminal
 class Progress
 {
 public:
-  explicit Progress(bool quiet) : m_shown(!quiet && standard_error_is_a_terminal() && !terminal_is_dumb())
-  {
-    std::signal(SIGINT, [](int) { internal::interrupted = 1; });
-  }
-
-  ~Progress()
-  {
-    std::signal(SIGINT, SIG_DFL);
-    erase();
-  }
+  explicit Progress(bool quiet) : m_shown(!quiet && standard_error_is_a_terminal() && !terminal_is_dumb()) {}
+  ~Progress() { erase(); }
 
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -53,7 +37,7 @@ public:
   {
     m_done = done;
     show();
-    return internal::interrupted == 0;
+    return true;
   }
 
 private:

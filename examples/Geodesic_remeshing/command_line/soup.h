@@ -15,6 +15,8 @@
 
 #include <CGAL/IO/polygon_soup_io.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -194,28 +196,7 @@ inline void check_edges(const std::vector<Side>& sides)
   });
 }
 
-// Sets that are united again and again
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(std::size_t n) : m_parent(n)
-  {
-    for(std::size_t i = 0; i < n; ++i)
-      m_parent[i] = i;
-  }
-
-  std::size_t find(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  void unite(std::size_t i, std::size_t j) { m_parent[find(i)] = find(j); }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
+using Disjoint_sets = boost::disjoint_sets_with_storage<>;
 
 // The faces around a vertex must form one fan: their corners there are joined across edges.
 inline void check_vertices(const Soup& soup, const std::vector<Side>& sides)
@@ -229,17 +210,17 @@ inline void check_vertices(const Soup& soup, const std::vector<Side>& sides)
   for_each_edge(sides, [&](auto first, auto last) {
     for(auto s = first + 1; s < last; ++s)
       for(const std::size_t v : {first->low, first->high})
-        fans.unite(corner(first->face, v), corner(s->face, v));
+        fans.union_set(corner(first->face, v), corner(s->face, v));
   });
   std::vector<std::size_t> fan_of(soup.points.size(), none);
   for(std::size_t f = 0; f < soup.polygons.size(); ++f)
     for(std::size_t i = 0; i < 3; ++i)
     {
       std::size_t& fan = fan_of[soup.polygons[f][i]];
-      if(fan != none && fan != fans.find(3 * f + i))
+      if(fan != none && fan != fans.find_set(3 * f + i))
         throw Input_error("is not manifold: the faces around vertex " + std::to_string(soup.polygons[f][i]) +
                           " form more than one fan");
-      fan = fans.find(3 * f + i);
+      fan = fans.find_set(3 * f + i);
     }
 }
 
@@ -253,11 +234,11 @@ inline void check_orientability(const Soup& soup, const std::vector<Side>& sides
     if(last - first != 2)
       return;
     const std::size_t f = first->face, g = first[1].face, turned = first->ascending == first[1].ascending ? n : 0;
-    sets.unite(f, g + turned);
-    sets.unite(f + n, g + n - turned);
+    sets.union_set(f, g + turned);
+    sets.union_set(f + n, g + n - turned);
   });
   for(std::size_t f = 0; f < n; ++f)
-    if(sets.find(f) == sets.find(f + n))
+    if(sets.find_set(f) == sets.find_set(f + n))
       throw Input_error("cannot be oriented: its surface has one side only, seen from " + face_name(f));
 }
 

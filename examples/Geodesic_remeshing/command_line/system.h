@@ -10,7 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_SYSTEM_H
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_SYSTEM_H
 
-// The few questions to the operating system that the standard library has no answer to.
+// What the standard library does not know of the operating system.
 
 #ifdef _WIN32
 #include <fcntl.h>
@@ -20,9 +20,11 @@
 #include <unistd.h>
 #endif
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace command_line {
 
@@ -64,6 +66,32 @@ inline std::string process_id()
   return std::to_string(_getpid());
 #else
   return std::to_string(getpid());
+#endif
+}
+
+// callable from a handler of signals
+inline void remove_file(const char* name)
+{
+#ifdef _WIN32
+  _unlink(name);
+#else
+  unlink(name);
+#endif
+}
+
+inline std::vector<int> signals_that_end()
+{
+#ifdef _WIN32
+  return {SIGINT, SIGTERM};
+#else
+  return {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+#endif
+}
+
+inline void ignore_limit_of_file_size()
+{
+#ifndef _WIN32
+  std::signal(SIGXFSZ, SIG_IGN);
 #endif
 }
 

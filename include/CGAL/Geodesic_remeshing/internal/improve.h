@@ -135,12 +135,21 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
   return true;
 }
 
+// Where far more vertices are needed than asked for, at handles and thin places, no later stage takes them away either.
+inline bool is_out_of_reach(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
+{
+  const std::size_t wanted = parameters.number_of_vertices;
+  return remeshed.connectivity().number_of_vertices() > wanted + wanted / 20 + 4
+         && !Vertex_count(remeshed, parameters.edge_length).reach(wanted);
+}
+
 template <class Progress>
 void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
   constexpr int polishings = 3;
   const double share = parameters.use_defect_moves ? .3 : .9;
-  if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }))
+  if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); })
+     || is_out_of_reach(remeshed, parameters))
     return;
   if(!recover_tips_and_remove_defects(remeshed, parameters,
                                       [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
