@@ -13,12 +13,15 @@
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
