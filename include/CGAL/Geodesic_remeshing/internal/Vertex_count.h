@@ -37,6 +37,8 @@ public:
 
   // Returns whether the number was reached.
   bool reach(std::size_t number_of_vertices);
+  // The same, at the cost of angles if nothing else is left
+  bool reach_at_any_cost(std::size_t number_of_vertices);
 
 private:
   // The collapse of h, or, where `other` is given, the split of the source of both between them, or that of h itself.
@@ -63,8 +65,7 @@ private:
 
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
-  static constexpr double least_angle = 10.;
-
+  double least_angle_ = 10.; // that a change may leave
   double squared_edge_length_;
   double least_angle_on_lines_ = 30.;   // that a collapse along a line may leave; lowered only if nothing else is left
   std::vector<Change> changes_;
@@ -88,11 +89,21 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
     keep_cheapest(number);
     if(apply(number) > 0)
       continue;
-    if(least_angle_on_lines_ <= least_angle)
+    if(least_angle_on_lines_ <= 10.)
       return false;
     least_angle_on_lines_ -= 10.;
   }
   return true;
+}
+
+inline bool Vertex_count::reach_at_any_cost(const std::size_t number_of_vertices)
+{
+  for(const double angle : {10., 5., 2., 1.}) {
+    least_angle_ = angle;
+    if(reach(number_of_vertices))
+      return true;
+  }
+  return false;
 }
 
 // The length of an edge weighs as much as one step of the energy (2) when it is off by the whole edge length.
@@ -269,8 +280,8 @@ inline double Vertex_count::worst_around(const std::array<Index, 4>& vertices) c
 // between lines nearer to each other than the edges are long, nothing is lost.
 inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const double before, const bool is_line)
 {
-  static const double mendable_inside = badness_of_angle(least_angle);
-  const double mendable = is_line ? badness_of_angle(least_angle_on_lines_) : (std::max)(mendable_inside, before);
+  const double angle = is_line ? (std::min)(least_angle_on_lines_, least_angle_on_lines_ - 10. + least_angle_) : least_angle_;
+  const double mendable = is_line ? badness_of_angle(angle) : (std::max)(badness_of_angle(angle), before);
   for(int round = 0; round < 2; ++round)
     for(const Index v : changed)
       if(!remeshed_.is_fixed(v))

@@ -140,7 +140,7 @@ inline bool is_out_of_reach(Remeshed_surface& remeshed, const Improvement_parame
 {
   const std::size_t wanted = parameters.number_of_vertices;
   return remeshed.connectivity().number_of_vertices() > wanted + wanted / 20 + 4
-         && !Vertex_count(remeshed, parameters.edge_length).reach(wanted);
+         && !Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(wanted);
 }
 
 template <class Progress>
@@ -160,6 +160,7 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   for(const double angle : {30., 30., 25.})
     if(Intersection_repair(remeshed, badness_of_angle(angle)).run() == 0)
       break;
+  Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
   go_on(1.);
 }
 
