@@ -93,7 +93,14 @@ struct keeps_garbage_for_ever<Graph, std::void_t<decltype(std::declval<Graph&>()
 template <class OutputMesh>
 Old_elements<OutputMesh> elements_of(const OutputMesh& mesh)
 {
-  return {{vertices(mesh).begin(), vertices(mesh).end()}, {edges(mesh).begin(), edges(mesh).end()}, {faces(mesh).begin(), faces(mesh).end()}};
+  Old_elements<OutputMesh> result;
+  for(auto v : vertices(mesh))
+    result.vertices.push_back(v);
+  for(auto e : edges(mesh))
+    result.edges.push_back(e);
+  for(auto f : faces(mesh))
+    result.faces.push_back(f);
+  return result;
 }
 
 // Any other mesh keeps its elements until the new ones are there; but not an OpenMesh, whose descriptors change when those removed

@@ -185,13 +185,15 @@ Stage_results* stage_results_of(const NamedParameters& np)
   }
 }
 
-inline void check_count(const Mesh& mesh, std::size_t number_of_vertices)
+inline void check_count(const Mesh& mesh, std::size_t wanted)
 {
-  if(mesh.number_of_vertices() != number_of_vertices)
-    throw Remeshing_error("geodesic remeshing: could not reach " + std::to_string(number_of_vertices) + " vertices, only "
-                          + std::to_string(mesh.number_of_vertices())
-                          + ": the handles, thin places and lines of the input need more; try "
-                          + std::to_string(mesh.number_of_vertices() + mesh.number_of_vertices() / 4 + 1)); // seen to be enough
+  const std::size_t number = mesh.number_of_vertices();
+  if(number == wanted)
+    return;
+  const std::string what = "geodesic remeshing: could not reach " + std::to_string(wanted) + " vertices, only " + std::to_string(number);
+  if(number > wanted) // a quarter more was seen to be enough
+    throw Remeshing_error(what + ": the handles, thin places and lines of the input need more; try " + std::to_string(number + number / 4 + 1));
+  throw Remeshing_error(what + ": no face can be divided without one of no area; try " + std::to_string(number));
 }
 
 template <class Map>

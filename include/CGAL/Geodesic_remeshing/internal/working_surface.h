@@ -157,22 +157,20 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
 // no better a mesh, longer ones to bend the curves.
 constexpr double longest_working_edge = 1.5;
 
-// A surface as thin as a thread has so little area for its length that edges which share the area out evenly are a tiny part of
-// that length: there is no end to splitting, and nothing but long faces can cover it with so few vertices.
+// A surface as thin as a thread has so little area for its length that there are not even vertices for a path of edges from one end
+// to the other; while the pieces to work on would be without number.
 inline void check_thinness(const Mesh& surface, double edge_length, std::size_t number_of_vertices)
 {
   const Metric metric(surface);
-  double pieces = 0.;
+  double longest = 0.;
   for(Edge e : surface.edges())
-    pieces += (std::max)(metric.length(e) / (longest_working_edge * edge_length) - 1., 0.);
-  constexpr double most = 1e6, most_a_vertex = 100.;
+    longest = (std::max)(longest, metric.length(e) / edge_length);
   const double number = static_cast<double>(number_of_vertices);
-  if(!(pieces > (std::max)(most, most_a_vertex * number)))
+  if(!(longest > number))
     return;
-  // the pieces grow as the square root of the number
-  const double needed = CGAL::square(pieces / most_a_vertex) / number;
+  const double needed = longest / number * longest; // the edge length falls as the square root of the number
   throw Remeshing_error("geodesic remeshing: the surface is too long and thin for " + std::to_string(number_of_vertices) + " vertices: "
-                        + (needed < 1e9 ? "some " + std::to_string(static_cast<long long>(std::ceil(needed))) + " would do" : "no number would do"));
+                        + (needed < 1e9 ? "it takes " + std::to_string(static_cast<long long>(std::ceil(needed))) : "no number would do"));
 }
 
 // On lines a third of that: distances from a line are those from its vertices.

@@ -1,0 +1,333 @@
+#include "made_surfaces.h"
+#include "random_surfaces.h"
+#include "test_support.h"
+
+#include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Geodesic_remeshing/is_valid_remeshing.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/geodesic_remeshing.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+// Surfaces that break remeshers, on purpose and at random; and the same result from every build.
+
+namespace GR = CGAL::Geodesic_remeshing;
+namespace gp = CGAL::Geodesic_remeshing::parameters;
+using made::Mesh;
+using made::Point;
+using made::Vector;
+using made::Vertex;
+using Face = Mesh::Face_index;
+using Halfedge = Mesh::Halfedge_index;
+using random_surfaces::Random;
+
+namespace {
+
+// What must hold whatever the surface: no angle, no distance of sheets is promised on these.
+std::string faults(const GR::Remeshing_validity& v)
+{
+  std::string result;
+  const auto add = [&](bool holds, const char* what) { result += holds ? "" : std::string(" ") + what; };
+  add(v.is_manifold, "not-manifold");
+  add(v.has_same_components, "components");
+  add(v.has_same_genus, "genus");
+  add(v.has_same_boundary_loops, "loops");
+  add(v.has_number_of_vertices, "number");
+  add(v.is_on_surface, "off-surface");
+  return result;
+}
+
+void expect_valid(const Mesh& input, std::size_t number)
+{
+  Mesh output;
+  CGAL::geodesic_remeshing(input, number, output);
+  EXPECT_EQ(faults(GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number))), "");
+}
+
+// A vertex in each n-th face, this far from an edge or from a corner, in lengths of edges
+Mesh with_thin_faces(Mesh mesh, double off, bool are_needles)
+{
+  const std::size_t faces = mesh.number_of_faces();
+  for(std::size_t i = 0; i < faces; i += 7)
+  {
+    const Halfedge h = mesh.halfedge(Face(static_cast<Mesh::size_type>(i)));
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+    const Halfedge n = CGAL::Euler::add_center_vertex(h, mesh);
+    mesh.point(mesh.target(n)) = are_needles ? CGAL::barycenter(p, 1. - 2. * off, q, off, r, off) : CGAL::barycenter(p, .5, q, .5 - off, r, off);
+  }
+  return mesh;
+}
+
+// Without these faces
+Mesh with_faces_removed(Mesh mesh, std::size_t first, std::size_t step, std::size_t number)
+{
+  for(std::size_t i = 0; i < number; ++i)
+    CGAL::Euler::remove_face(mesh.halfedge(Face(static_cast<Mesh::size_type>(first + i * step))), mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
+
+} // namespace
+
+TEST(Hard_surface, caps_and_needles)
+{
+  const Mesh smooth = made::torus(3, 1, 30, 14);
+  for(const double off : {1e-4, 1e-8, 1e-12, 0.})
+    for(const bool are_needles : {false, true})
+    {
+      SCOPED_TRACE(std::to_string(off) + (are_needles ? " needles" : " caps"));
+      expect_valid(with_thin_faces(smooth, off, are_needles), 300);
+    }
+}
+
+TEST(Hard_surface, far_from_the_origin)
+{
+  const Mesh input = made::torus(3, 1, 30, 14);
+  Mesh output, near;
+  const Mesh far = made::moved(input, Vector(8e6, -8e6, 8e6)); // a million times its size
+  CGAL::geodesic_remeshing(input, 400, near);
+  CGAL::geodesic_remeshing(far, 400, output);
+  EXPECT_EQ(faults(GR::is_valid_remeshing(far, output, gp::expected_number_of_vertices(400))), "");
+  EXPECT_NEAR(support::quality_of(output).mean_smallest_angle, support::quality_of(near).mean_smallest_angle, 1.);
+}
+
+// All distances are equal to many others: nothing but the numbers of the vertices can decide.
+TEST(Hard_surface, ties_everywhere)
+{
+  for(const Mesh& input : {made::plane(16), made::box(8, 8, 8), made::stairs(3), made::l_shape(), made::sphere(3), made::torus(3, 1, 32, 16), made::octahedron()})
+    for(const std::size_t number : {100, 400})
+      expect_valid(input, number);
+}
+
+TEST(Hard_surface, handle_smaller_than_the_edges)
+{
+  // a cube with a narrow tunnel
+  const Mesh input = made::blocks({made::Block{{{0, 0, 0}}, {{12, 6, 12}}}, made::Block{{{0, 7, 0}}, {{12, 12, 12}}},
+                                   made::Block{{{0, 6, 0}}, {{12, 7, 6}}}, made::Block{{{0, 6, 7}}, {{12, 7, 12}}}});
+  ASSERT_EQ(support::topology_of(input).genus(), 1);
+  for(const std::size_t number : {40, 150, 1000}) // edges of 5, 2.6 and 1
+    expect_valid(input, number);
+}
+
+TEST(Hard_surface, ten_holes_closer_than_an_edge)
+{
+  const Mesh input = with_faces_removed(made::plane(24), 24 * 24 + 4, 4, 10);
+  ASSERT_EQ(support::topology_of(input).boundary_loops, 11);
+  for(const std::size_t number : {80, 300})
+    expect_valid(input, number);
+}
+
+TEST(Hard_surface, boundary_loops_of_three_vertices)
+{
+  const Mesh input = with_faces_removed(made::sphere(3), 0, 64, 8);
+  ASSERT_EQ(support::topology_of(input).boundary_loops, 8);
+  for(const std::size_t number : {30, 100, 1000})
+    expect_valid(input, number);
+}
+
+TEST(Hard_surface, spikes_one_triangle_wide)
+{
+  Mesh input = made::sphere(3);
+  for(unsigned i = 0; i < 6; ++i) // those of the octahedron
+    input.point(Vertex(i)) = CGAL::ORIGIN + 4. * (input.point(Vertex(i)) - CGAL::ORIGIN);
+  for(const std::size_t number : {60, 300, 2000})
+    expect_valid(input, number);
+}
+
+TEST(Hard_surface, hundred_times_as_many_vertices)
+{
+  expect_valid(made::octahedron(), 600);
+  expect_valid(made::torus(3, 1, 6, 5), 3000);
+  expect_valid(made::plane(1), 400);
+}
+
+// So thin that all the vertices in a row would not reach from end to end: refused at once, with a number that would do.
+TEST(Hard_surface, thread)
+{
+  const Mesh thread = made::cylinder(1e-4, 1e3, 3, 1);
+  Mesh output = made::octahedron();
+  try
+  {
+    CGAL::geodesic_remeshing(thread, 50, output);
+    FAIL() << "remeshed";
+  }
+  catch(const GR::Remeshing_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("too long and thin for 50 vertices"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(support::is_same_mesh(output, made::octahedron()));
+  expect_valid(made::cylinder(.01, 10., 5, 1), 1500); // a thousand times as long as wide
+}
+
+namespace {
+
+struct Random_case
+{
+  Mesh input;
+  std::size_t number;
+  unsigned int iterations;
+  bool use_segmentation, use_defect_moves, has_features, has_sizing;
+  double contrast;
+  std::string description;
+
+  explicit Random_case(std::uint64_t seed)
+  {
+    Random random(seed);
+    input = random_surfaces::random_surface(random);
+    number = static_cast<std::size_t>(std::pow(10., random.between(.7, 2.9)));
+    iterations = random.chance(.2) ? static_cast<unsigned int>(random.below(3)) : 3;
+    use_segmentation = random.chance(.8);
+    use_defect_moves = random.chance(.7);
+    has_features = random.chance(.3);
+    has_sizing = random.chance(.3);
+    contrast = random.between(0., 2.);
+    std::ostringstream out;
+    out << "seed " << seed << ": " << input.number_of_vertices() << " vertices to " << number << ", iterations " << iterations << ", segmentation "
+        << use_segmentation << ", defect moves " << use_defect_moves << ", features " << has_features << ", sizing " << has_sizing << " " << contrast;
+    description = out.str();
+  }
+
+  template <class NamedParameters>
+  void remesh(Mesh& output, const NamedParameters& np) const
+  {
+    if(has_features)
+      CGAL::geodesic_remeshing(input, number, output, np.features_angle_bound(60.));
+    else
+      CGAL::geodesic_remeshing(input, number, output, np);
+  }
+
+  // What is wrong, "" if nothing is, or why it was refused, with a "(" before
+  std::string run() const
+  {
+    Mesh output;
+    try
+    {
+      const auto np = gp::use_segmentation(use_segmentation).number_of_iterations(iterations).use_defect_moves(use_defect_moves);
+      if(has_sizing)
+        remesh(output, np.sizing_field(GR::Curvature_sizing_field<Mesh>(input, gp::contrast(contrast))));
+      else
+        remesh(output, np);
+    }
+    catch(const std::invalid_argument& error)
+    {
+      return std::string("(") + error.what();
+    }
+    catch(const GR::Remeshing_error& error)
+    {
+      return std::string("(") + error.what();
+    }
+    catch(const std::exception& error)
+    {
+      return error.what();
+    }
+    return faults(GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number)));
+  }
+};
+
+std::uint64_t environment(const char* name, std::uint64_t otherwise)
+{
+  const char* const value = std::getenv(name);
+  return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+// The first seeds always; from GEODESIC_REMESHING_SEED on, for GEODESIC_REMESHING_SECONDS, if these are set. A seed that fails can be
+// run alone: GEODESIC_REMESHING_SEED=... GEODESIC_REMESHING_SECONDS=0
+TEST(Random_surfaces, are_remeshed_or_refused)
+{
+  const std::uint64_t first = environment("GEODESIC_REMESHING_SEED", 1);
+  const double seconds = static_cast<double>(environment("GEODESIC_REMESHING_SECONDS", 0));
+  const std::uint64_t least = std::getenv("GEODESIC_REMESHING_SEED") == nullptr ? 25 : 1;
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t seed = first;
+  std::size_t refused = 0;
+  for(; seed < first + least || seconds_since(start) < seconds; ++seed)
+  {
+    const Random_case random_case(seed);
+    const auto begin = std::chrono::steady_clock::now();
+    RecordProperty("seed", std::to_string(seed)); // the last one in the report if the program dies
+    if(seconds > 0.)
+      std::ofstream("last_seed.txt") << random_case.description << "\n";
+    const std::string outcome = random_case.run();
+    const bool is_refused = !outcome.empty() && outcome.front() == '(';
+    refused += is_refused;
+    if(is_refused && seconds > 0.)
+      std::cout << random_case.description << outcome << "\n";
+    EXPECT_TRUE(outcome.empty() || is_refused) << random_case.description << ":" << outcome;
+    EXPECT_LT(seconds_since(begin), 60.) << random_case.description;
+  }
+  std::cout << seed - first << " surfaces, " << refused << " of them refused\n";
+  if(seed - first >= 25)
+  {
+    EXPECT_LT(4 * refused, seed - first);
+  }
+}
+
+namespace {
+
+// FNV-1a over the bits of all coordinates and the vertices of all faces
+std::uint64_t checksum(const Mesh& mesh)
+{
+  std::uint64_t sum = 0xCBF29CE484222325ull;
+  const auto add = [&](std::uint64_t bits)
+  {
+    for(int i = 0; i < 8; ++i, bits >>= 8)
+      sum = (sum ^ (bits & 0xFF)) * 0x100000001B3ull;
+  };
+  for(Vertex v : mesh.vertices())
+    for(int i = 0; i < 3; ++i)
+    {
+      const double x = mesh.point(v)[i];
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof(bits));
+      add(bits);
+    }
+  for(Face f : mesh.faces())
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      add(v.idx());
+  return sum;
+}
+
+} // namespace
+
+// The sums are written to a file beside the program: scripts/test compares those of its builds, of two compilers, with and without
+// optimisation and assertions.
+TEST(Same_bytes, from_every_build)
+{
+  std::ofstream out("checksums.txt");
+  out << std::hex << std::setfill('0');
+  const Mesh closed = made::rounded(made::cactus_blocks(), 4), tori = made::chain_of_tori(2), open = with_faces_removed(made::stairs(3), 5, 40, 4);
+  const auto write = [&](const char* name, const Mesh& input, const auto& np)
+  {
+    Mesh once, again;
+    CGAL::geodesic_remeshing(input, 700, once, np);
+    CGAL::geodesic_remeshing(input, 700, again, np);
+    EXPECT_EQ(checksum(once), checksum(again)) << name;
+    out << name << " " << std::setw(16) << checksum(once) << "\n";
+  };
+  write("closed", closed, gp::default_values());
+  write("genus_2", tori, gp::default_values());
+  write("open", open, gp::default_values());
+  write("features", open, gp::features_angle_bound(60.));
+  write("sized", closed, gp::sizing_field(GR::Curvature_sizing_field<Mesh>(closed)));
+  EXPECT_TRUE(out.flush());
+}
