@@ -89,12 +89,17 @@ public:
   {
     const Bbox_3 box = Polygon_mesh_processing::bbox(input);
     m_diagonal = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
-    // A face without area adds nothing to the surface, and has no plane to project on.
+    // A face of hardly any area has no plane to project on: the tree would tell any distance. It is nowhere far from its edges.
     std::vector<Face> solid;
+    std::vector<Edge> edges_of_others;
     for(Face f : input.faces())
-      if(!is_degenerate(input, f))
+      if(is_thin(input, f))
+        for(Halfedge h : input.halfedges_around_face(input.halfedge(f)))
+          edges_of_others.push_back(input.edge(h));
+      else
         solid.push_back(f);
     m_input_faces.rebuild(solid.begin(), solid.end(), input);
+    m_edges_of_thin_faces.rebuild(edges_of_others.begin(), edges_of_others.end(), input);
   }
 
   const Shape& input_shape() const { return m_input_shape; }
@@ -104,8 +109,14 @@ public:
   {
     double largest = 0.;
     for(Vertex v : m_output.vertices())
+    {
+      double nearest = infinity;
       if(!m_input_faces.empty())
-        largest = (std::max)(largest, m_input_faces.squared_distance(m_output.point(v)));
+        nearest = m_input_faces.squared_distance(m_output.point(v));
+      if(!m_edges_of_thin_faces.empty())
+        nearest = (std::min)(nearest, m_edges_of_thin_faces.squared_distance(m_output.point(v)));
+      largest = (std::max)(largest, nearest);
+    }
     return relative(std::sqrt(largest));
   }
 
@@ -135,9 +146,8 @@ public:
   // Of points on the marked and on the boundary edges of the input from the edges of the output
   double distance_of_lines(const std::vector<char>& is_marked) const
   {
-    using Primitive = AABB_halfedge_graph_segment_primitive<Mesh>;
     constexpr int pieces = 4;
-    AABB_tree<AABB_traits_3<Kernel, Primitive>> tree;
+    Edge_tree tree;
     double largest = 0.;
     for(Edge e : m_input.edges())
     {
@@ -154,11 +164,20 @@ public:
 
 private:
   using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
+  using Edge_tree = AABB_tree<AABB_traits_3<Kernel, AABB_halfedge_graph_segment_primitive<Mesh>>>;
 
   static bool is_degenerate(const Mesh& mesh, Face f)
   {
     const auto v = vertices_of(mesh, f);
     return CGAL::collinear(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
+  }
+
+  static bool is_thin(const Mesh& mesh, Face f)
+  {
+    double longest = 0.;
+    for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      longest = (std::max)(longest, CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+    return !(normal_of(mesh, f).squared_length() > 1e-20 * longest * longest); // its height is 1e-10 of its longest edge
   }
 
   static Vector normal_of(const Mesh& mesh, Face f)
@@ -179,6 +198,7 @@ private:
   const Shape m_input_shape, m_output_shape;
   double m_diagonal;
   AABB_tree<AABB_traits_3<Kernel, Primitive>> m_input_faces;
+  Edge_tree m_edges_of_thin_faces;
 };
 
 // The marks of the user's edges, by edge of the internal mesh, which has its edges in the same order
