@@ -18,6 +18,7 @@
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,8 @@ using Kernel = mesh_quality::Kernel;
 using Segments = std::vector<Kernel::Segment_3>;
 using Line_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-constexpr double feature_angle = 60.;
+// Of open surfaces, which are scanned ones here, the boundary only: on noise a bound of the angle finds no lines.
+double feature_angle(const Mesh& mesh) { return CGAL::is_closed(mesh) ? 60. : 180.; }
 
 Line_map line_map(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:line", false).first; }
 
@@ -53,7 +55,7 @@ Remesher geodesic(bool protect)
               namespace parameters = CGAL::Geodesic_remeshing::parameters;
               Mesh output;
               CGAL::geodesic_remeshing(input, number_of_vertices, output,
-                                       parameters::features_angle_bound(feature_angle).protect_constraints(protect),
+                                       parameters::features_angle_bound(feature_angle(input)).protect_constraints(protect),
                                        parameters::edge_is_constrained_map(line_map(output)));
               return output;
             };
@@ -64,7 +66,7 @@ Mesh isotropic(const Mesh& input, double edge_length, bool protect)
 {
   Mesh output = input;
   const Line_map is_line = line_map(output);
-  PMP::detect_sharp_edges(output, feature_angle, is_line); // those of the boundary are among them
+  PMP::detect_sharp_edges(output, feature_angle(input), is_line); // those of the boundary are among them
   PMP::isotropic_remeshing(
       faces(output), edge_length, output,
       CGAL::parameters::number_of_iterations(10).edge_is_constrained_map(is_line).protect_constraints(protect));
@@ -108,7 +110,7 @@ double distance_of_lines(const Mesh& input, const Mesh& output)
 {
   Mesh copy = input;
   const Line_map is_line = line_map(copy);
-  PMP::detect_sharp_edges(copy, feature_angle, is_line);
+  PMP::detect_sharp_edges(copy, feature_angle(input), is_line);
   const Segments before = lines_of(copy, is_line);
   const Segments after = lines_of(output, output.property_map<Mesh::Edge_index, bool>("e:line").value());
   const double distance = (std::max)(one_sided_distance(before, after), one_sided_distance(after, before));
