@@ -172,7 +172,8 @@ inline void Fit_relocation::regularize(const Index v)
   table_.for_each_outgoing(v, [&](const Index h) { spokes_.push_back(h); });
   for(const Index h : spokes_)
     // a flip before may have made another edge of it
-    if(table_.source(h) == v && !table_.is_constrained(h) && is_flip_better(remeshed_, h))
+    if(table_.source(h) == v && !table_.is_constrained(h) && !steps_.is_edge_frozen(h)
+       && is_flip_better(remeshed_, h))
       steps_.flip_and_search(h);
 }
 
@@ -202,7 +203,7 @@ inline void Fit_relocation::settle()
 inline bool Fit_relocation::split(const Index h, double& change)
 {
   const Index o = table_.opposite(h);
-  if(o == Lean_triangulation::none || table_.is_constrained(h))
+  if(o == Lean_triangulation::none || table_.is_constrained(h) || steps_.is_edge_frozen(h))
     return false;
   const Index a = table_.source(h), b = table_.target(h), f = Lean_triangulation::face(h), g = Lean_triangulation::face(o);
   mark_zone({a, b, table_.apex(h), table_.apex(o)});
@@ -232,6 +233,10 @@ inline bool Fit_relocation::collapse(const Index v, double& change)
 {
   Index h = Lean_triangulation::none;
   double least = infinity;
+  bool is_frozen = steps_.is_frozen(v);
+  table_.for_each_neighbor(v, [&](const Index w) { is_frozen = is_frozen || steps_.is_frozen(w); });
+  if(is_frozen)
+    return false;
   table_.for_each_outgoing(v, [&](const Index k) {
     const double distance = CGAL::squared_distance(remeshed_.spot(v).point, remeshed_.spot(table_.target(k)).point);
     if(distance < least && table_.is_collapse_legal(table_.opposite(k))) {

@@ -41,9 +41,10 @@ public:
   using Index = Lean_triangulation::Index;
   using Assigned = Fit_assignment::Assigned;
 
-  Fit_steps(Remeshed_surface& remeshed, Fit_assignment& assignment, Fit_probes& probes, const double edge_length)
+  Fit_steps(Remeshed_surface& remeshed, Fit_assignment& assignment, Fit_probes& probes, const double edge_length,
+            const std::vector<char>& is_frozen)
     : remeshed_(remeshed), table_(remeshed.connectivity()), assignment_(assignment), probes_(probes)
-    , longest_step_(.3 * edge_length), is_held_(table_.vertex_slots(), 0) {}
+    , longest_step_(.3 * edge_length), is_frozen_(is_frozen), is_held_(table_.vertex_slots(), 0) {}
 
   Fit_cost& cost() { return cost_; }
 
@@ -55,7 +56,14 @@ public:
   void flip_and_search(Index h);                 // whatever it costs
   Remeshed_surface::Spot spot_at(const Point& p, Index start) const;
   double root_mean_square() const;
-  void hold(const Index v) { is_held_[v] = 1; }  // from now on it moves on the surface only
+  // Nothing changes at frozen vertices, neither their points nor the faces between them. They are never removed.
+  bool is_frozen(const Index v) const { return v < is_frozen_.size() && is_frozen_[v]; }
+  bool is_edge_frozen(Index h) const;
+  void hold(const Index v)                       // from now on it moves on the surface only
+  {
+    is_held_.resize(table_.vertex_slots(), 0);   // relocation may have made slots
+    is_held_[v] = 1;
+  }
 
   // The samples of some faces, for which `search_gathered()` searches where they are now.
   template <class Faces> void gather(const Faces& faces);
@@ -92,6 +100,7 @@ private:
   Fit_assignment& assignment_;
   Fit_probes& probes_;
   const double longest_step_;
+  const std::vector<char>& is_frozen_;
   std::vector<char> is_held_;
   Fit_cost cost_;
   double change_ = 0.;
@@ -203,6 +212,8 @@ inline Vector Fit_steps::wished_step(const Index v, const Vector& normal, const 
 
 inline bool Fit_steps::move(const Index v, const double pull)
 {
+  if(is_frozen(v))
+    return false;
   const Remeshed_surface::Spot old = remeshed_.spot(v);
   Vector sum(0., 0., 0.);
   table_.for_each_outgoing(v, [&](const Index h) {
@@ -243,12 +254,20 @@ inline bool Fit_steps::move(const Index v, const double pull)
 inline bool Fit_steps::is_flip_possible(const Index h) const
 {
   const Index o = table_.opposite(h);
-  if(o == Lean_triangulation::none || !table_.is_flip_legal(h))
+  if(o == Lean_triangulation::none || !table_.is_flip_legal(h) || is_edge_frozen(h))
     return false;
   const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(o);
   const double after = add_badness(remeshed_.badness(a, d, c), remeshed_.badness(b, c, d));
   return after <= fit_badness()
       || after <= add_badness(remeshed_.badness(a, b, c), remeshed_.badness(b, a, d));
+}
+
+// One of the vertices of the faces beside an edge is
+inline bool Fit_steps::is_edge_frozen(const Index h) const
+{
+  const Index o = table_.opposite(h);
+  return is_frozen(table_.source(h)) || is_frozen(table_.target(h)) || is_frozen(table_.apex(h))
+      || (o != Lean_triangulation::none && is_frozen(table_.apex(o)));
 }
 
 inline double Fit_steps::flip_cost(const Index h)

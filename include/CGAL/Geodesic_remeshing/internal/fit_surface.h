@@ -17,15 +17,17 @@
 #include <CGAL/Geodesic_remeshing/internal/Fit_steps.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
+#include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_samples.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/write_back.h>
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
@@ -79,7 +81,7 @@ inline void hold_what_intersects(Remeshed_surface& remeshed, Fit_steps& steps)
 
 // Rounds of steps: at first by the squares of the deviations, then with more and more weight on the largest.
 template <class Progress>
-void run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& relocation, const Progress& go_on)
+bool run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& relocation, const Progress& go_on)
 {
   // With 20 rounds the distances are 2 percent less.
   constexpr int rounds = 9, plain_rounds = 3;
@@ -97,38 +99,91 @@ void run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& reloc
         relocation.run(too_large_deviation * steps.root_mean_square());
     }
     if(!go_on(double(round + 1) / rounds))
-      return;
+      return false;
+  }
+  return true;
+}
+
+// The faces of a fitted mesh that intersect another one, or look against the surface at their center and all their corners
+inline std::vector<Lean_triangulation::Index> faulty_faces(const Remeshed_surface& remeshed, Fit_probes& probes)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  std::vector<Lean_triangulation::Index> result;
+  for(const Intersection_search::Pair& pair : Intersection_search(remeshed).run())
+    result.insert(result.end(), {pair.first, pair.second});
+  for(Lean_triangulation::Index f = 0; f < table.face_slots(); ++f) {
+    if(table.is_removed_face(f))
+      continue;
+    const Vector normal = probes.normal(f);
+    bool is_against = normal * remeshed.walker().normal(Face(probes.at_center(f).face)) < 0.;
+    for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3 && is_against; ++h)
+      is_against = normal * remeshed.walker().normal(remeshed.spot(table.source(h)).place.face) < 0.;
+    if(is_against)
+      result.push_back(f);
+  }
+  return result;
+}
+
+// Marks the vertices of the mesh from which a fit began that are near to faces which it has spoilt.
+inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, const Remeshed_surface& fitted,
+                          const Remeshed_surface& start, const double edge_length, std::vector<char>& is_frozen)
+{
+  const double radius = 2. * edge_length;
+  Point_grid grid(radius, 3 * faces.size());
+  for(const Lean_triangulation::Index f : faces)
+    for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h) {
+      const Remeshed_surface::Spot& spot = fitted.spot(fitted.connectivity().source(h));
+      grid.insert(spot.point, spot.size, f);
+    }
+  is_frozen.resize(start.connectivity().vertex_slots(), 0);
+  for(Lean_triangulation::Index v = 0; v < start.connectivity().vertex_slots(); ++v) {
+    const Remeshed_surface::Spot& spot = start.spot(v);
+    grid.near(spot.point, spot.size, radius * spot.size, [&](std::uint32_t, const Point&, double) { is_frozen[v] = 1; });
   }
 }
 
 // Brings a remeshed surface as near to the input as its number of vertices and angles of 30 degrees allow. Its vertices leave the
-// surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning false.
+// surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning false. Where the
+// result is worse than the mesh that came, in that faces intersect or are turned, all is done once more without those parts.
 template <class Progress>
 Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, const double edge_length, Placed_mesh& out,
                        const Progress& go_on)
 {
   constexpr double samples_per_face = 4.;        // with 6 and 10 the distances are the same within 1 percent
+  constexpr int attempts = 3;
   pin_corners(surface, constraints, out);
   const Surface_walker walker(surface, constraints);
-  Remeshed_surface remeshed(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
+  const Remeshed_surface start(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
   const double area = std::sqrt(3.) / 4. * CGAL::square(edge_length) / samples_per_face;
-  const double penalty = CGAL::square(.2 * edge_length);
-  Fit_assignment assignment(remeshed, make_fit_samples(walker, remeshed.metric(), area), penalty);
-  Fit_probes probes(remeshed, CGAL::square(.5 * edge_length));
-  Fit_steps steps(remeshed, assignment, probes, edge_length);
-  Fit_relocation relocation(remeshed, assignment, probes, steps);
-  run_fit(remeshed, steps, relocation, go_on);
-  mend_fit(remeshed);
-  // What was mended at the cost of the distance
-  assignment.search_all();
-  steps.move_all();
-  relocation.run(too_large_deviation * steps.root_mean_square());
-  steps.move_all();
-  mend_fit(remeshed);
-  assignment.search_all();
-  Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
-  write_back(remeshed, out.mesh, out.place, out.pinned, out.constrained);
-  return result;
+  const std::vector<Fit_sample> samples = make_fit_samples(walker, start.metric(), area);
+  Fit_probes probes_of_start(start, CGAL::square(.5 * edge_length));
+  const std::size_t faults_at_start = faulty_faces(start, probes_of_start).size();
+  std::vector<char> is_frozen;
+  for(int attempt = 1;; ++attempt) {
+    Remeshed_surface remeshed(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
+    Fit_assignment assignment(remeshed, samples, CGAL::square(.2 * edge_length));
+    Fit_probes probes(remeshed, CGAL::square(.5 * edge_length));
+    Fit_steps steps(remeshed, assignment, probes, edge_length, is_frozen);
+    Fit_relocation relocation(remeshed, assignment, probes, steps);
+    const bool is_done = run_fit(remeshed, steps, relocation, [&](const double progress) {
+      return go_on((attempt - 1 + progress) / attempts);
+    });
+    mend_fit(remeshed);
+    // What was mended at the cost of the distance
+    assignment.search_all();
+    steps.move_all();
+    relocation.run(too_large_deviation * steps.root_mean_square());
+    steps.move_all();
+    mend_fit(remeshed);
+    assignment.search_all();
+    const std::vector<Lean_triangulation::Index> faults = faulty_faces(remeshed, probes);
+    if(!is_done || attempt == attempts || faults.size() <= faults_at_start) {
+      const Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
+      write_back(remeshed, out.mesh, out.place, out.pinned, out.constrained);
+      return result;
+    }
+    freeze_around(faults, remeshed, start, edge_length, is_frozen);
+  }
 }
 
 } // namespace internal
