@@ -55,11 +55,6 @@ public:
       middle_[h] = none;
   }
 
-  Vector normal(const Index f) const
-  {
-    const Point& p = point(table_.source(4 * f));
-    return cross_product(point(table_.source(4 * f + 1)) - p, point(table_.source(4 * f + 2)) - p);
-  }
   Foot at_center(Index f);
   Foot at_middle(Index h);
   Foot at_vertex(const Index v) const { return nearest(point(v), remeshed_.spot(v).place.face); }
@@ -77,6 +72,11 @@ private:
   static constexpr double center_share = .4, middle_share = .2, corner_share = .1;
 
   const Point& point(const Index v) const { return remeshed_.spot(v).point; }
+  Vector normal(const Index f) const
+  {
+    const Point& p = point(table_.source(4 * f));
+    return cross_product(point(table_.source(4 * f + 1)) - p, point(table_.source(4 * f + 2)) - p);
+  }
   double area(const Index f) const { return .5 * std::sqrt(normal(f).squared_length()); }
   Foot search(Index& start, const Index v, const Point& p, const Vector& normal)
   {

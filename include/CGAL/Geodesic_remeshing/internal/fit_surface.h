@@ -104,23 +104,11 @@ bool run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& reloc
   return true;
 }
 
-// The faces of a fitted mesh that intersect another one, or look against the surface at their center and all their corners
-inline std::vector<Lean_triangulation::Index> faulty_faces(const Remeshed_surface& remeshed, Fit_probes& probes)
+inline std::vector<Lean_triangulation::Index> intersecting_faces(const Remeshed_surface& remeshed)
 {
-  const Lean_triangulation& table = remeshed.connectivity();
   std::vector<Lean_triangulation::Index> result;
   for(const Intersection_search::Pair& pair : Intersection_search(remeshed).run())
     result.insert(result.end(), {pair.first, pair.second});
-  for(Lean_triangulation::Index f = 0; f < table.face_slots(); ++f) {
-    if(table.is_removed_face(f))
-      continue;
-    const Vector normal = probes.normal(f);
-    bool is_against = normal * remeshed.walker().normal(Face(probes.at_center(f).face)) < 0.;
-    for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3 && is_against; ++h)
-      is_against = normal * remeshed.walker().normal(remeshed.spot(table.source(h)).place.face) < 0.;
-    if(is_against)
-      result.push_back(f);
-  }
   return result;
 }
 
@@ -144,7 +132,7 @@ inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, c
 
 // Brings a remeshed surface as near to the input as its number of vertices and angles of 30 degrees allow. Its vertices leave the
 // surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning false. Where the
-// result is worse than the mesh that came, in that faces intersect or are turned, all is done once more without those parts.
+// result intersects itself more than the mesh that came, all is done once more without those parts.
 template <class Progress>
 Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, const double edge_length, Placed_mesh& out,
                        const Progress& go_on)
@@ -156,8 +144,7 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
   const Remeshed_surface start(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
   const double area = std::sqrt(3.) / 4. * CGAL::square(edge_length) / samples_per_face;
   const std::vector<Fit_sample> samples = make_fit_samples(walker, start.metric(), area);
-  Fit_probes probes_of_start(start, CGAL::square(.5 * edge_length));
-  const std::size_t faults_at_start = faulty_faces(start, probes_of_start).size();
+  const std::size_t intersections_at_start = intersecting_faces(start).size();
   std::vector<char> is_frozen;
   for(int attempt = 1;; ++attempt) {
     Remeshed_surface remeshed(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
@@ -176,13 +163,13 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
     steps.move_all();
     mend_fit(remeshed);
     assignment.search_all();
-    const std::vector<Lean_triangulation::Index> faults = faulty_faces(remeshed, probes);
-    if(!is_done || attempt == attempts || faults.size() <= faults_at_start) {
+    const std::vector<Lean_triangulation::Index> intersections = intersecting_faces(remeshed);
+    if(!is_done || attempt == attempts || intersections.size() <= intersections_at_start) {
       const Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
       write_back(remeshed, out.mesh, out.place, out.pinned, out.constrained);
       return result;
     }
-    freeze_around(faults, remeshed, start, edge_length, is_frozen);
+    freeze_around(intersections, remeshed, start, edge_length, is_frozen);
   }
 }
 
