@@ -435,7 +435,7 @@ TEST(Protected_lines, boundary_edges_stay_as_they_are)
 {
   // shorter than the new edges and longer
   for(const Mesh& input : {made::disc(10), made::plane(4), made::cylinder(1., 4., 60, 30, false)})
-    for(std::size_t vertices : {200, 1500})
+    for(std::size_t vertices : {200, 800})
     {
       SCOPED_TRACE(vertices);
       const Result result(input, vertices, parameters::protect_constraints(true));
@@ -448,9 +448,11 @@ TEST(Protected_lines, features_stay_as_they_are)
 {
   for(const Straight_case& c : straight_cases())
   {
+    if(c.name != "cube" && c.name != "L" && c.name != "gear") // edges much longer than the new ones, as long, and both
+      continue;
     SCOPED_TRACE(c.name);
-    const Result result(c.mesh, 1500, parameters::features_angle_bound(60.).protect_constraints(true));
-    expect_guarantees(c.mesh, result, 1500);
+    const Result result(c.mesh, 600, parameters::features_angle_bound(60.).protect_constraints(true));
+    expect_guarantees(c.mesh, result, 600);
     expect_lines_kept(c.mesh, sharp_edges_of(c.mesh), result);
   }
 }
@@ -483,13 +485,13 @@ TEST(Protected_lines, too_few_vertices_say_how_many_are_needed)
 
 TEST(Protected_lines, edge_length_and_number_of_faces_count_with_them)
 {
-  const Mesh input = made::disc(30); // 180 edges on the boundary
+  const Mesh input = made::disc(15); // 90 edges on the boundary
   Mesh output;
   geodesic_remeshing(input, GR::Edge_length{.2}, output, parameters::protect_constraints(true));
   const double inside = 2. / std::sqrt(3.) * CGAL_PI / .04 - .5 * 2. * CGAL_PI / .2;
-  EXPECT_NEAR(output.number_of_vertices(), 180. + inside, .1 * (180. + inside));
-  geodesic_remeshing(input, GR::Number_of_faces{1000}, output, parameters::protect_constraints(true));
-  EXPECT_EQ(output.number_of_faces(), 1000u);
+  EXPECT_NEAR(output.number_of_vertices(), 90. + inside, .1 * (90. + inside));
+  geodesic_remeshing(input, GR::Number_of_faces{600}, output, parameters::protect_constraints(true));
+  EXPECT_EQ(output.number_of_faces(), 600u);
 }
 
 TEST(Open_surface, number_of_faces_to_one)
@@ -753,13 +755,14 @@ Mesh folded_sheet(double distance)
 {
   constexpr double width = 10.;
   const double radius = .5 * distance, half_tube = CGAL_PI * radius;
-  Mesh mesh = made::plane(200);
+  constexpr int n = 64;
+  Mesh mesh = made::plane(n);
   for(Vertex v : mesh.vertices())
   {
     const Point p = mesh.point(v);
-    const double s = p.x() / 200. * (2. * width + half_tube) - width - .5 * half_tube; // the way over the fold, 0 in its middle
+    const double s = p.x() / n * (2. * width + half_tube) - width - .5 * half_tube; // the way over the fold, 0 in its middle
     const double beyond = std::abs(s) - .5 * half_tube, up = s < 0. ? -1. : 1.;
-    const double y = p.y() / 20.;
+    const double y = p.y() * width / n;
     if(beyond > 0.)
       mesh.point(v) = Point(-beyond, y, up * radius);
     else
@@ -821,8 +824,8 @@ TEST(Thin_sheets, thin_box)
 
 TEST(Thin_sheets, nested_spheres)
 {
-  // edges of about .2; the faces' centres are at most .007 below the spheres
-  const Mesh input = made::together({made::sphere(5), made::sphere(5, 1.02), made::sphere(5, .98)});
+  // edges of about .14; the spheres of the input are at most .002 within round ones, faces .004 within those
+  const Mesh input = made::together({made::sphere(4), made::sphere(4, 1.02), made::sphere(4, .98)});
   const Result result(input, 2200, parameters::default_values());
   expect_apart(input, result, 2200);
   for(Vertex v : result.mesh.vertices())
