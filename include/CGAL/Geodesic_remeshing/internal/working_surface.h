@@ -166,9 +166,10 @@ inline void check_thinness(const Mesh& surface, double edge_length, std::size_t 
   for(Edge e : surface.edges())
     longest = (std::max)(longest, metric.length(e) / edge_length);
   const double number = static_cast<double>(number_of_vertices);
-  if(!(longest > number))
+  constexpr double room = 2.; // the legs of a right triangle alone, with its three vertices, are longer than the edges of equilateral ones
+  if(!(longest > room * number))
     return;
-  const double needed = longest / number * longest; // the edge length falls as the square root of the number
+  const double needed = longest / number * longest / (room * room); // the edge length falls as the square root of the number
   throw Remeshing_error("geodesic remeshing: the surface is too long and thin for " + std::to_string(number_of_vertices) + " vertices: "
                         + (needed < 1e9 ? "it takes " + std::to_string(static_cast<long long>(std::ceil(needed))) : "no number would do"));
 }
