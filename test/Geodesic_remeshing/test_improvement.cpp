@@ -210,23 +210,37 @@ TEST(Improvement, sphere_from_a_spoilt_start)
   EXPECT_LT(percent_irregular(start.mesh), 15.);
 }
 
-TEST(Improvement, pinned_vertices_stay)
+TEST(Improvement, corners_stay_and_tips_stay_near)
 {
   const Mesh surface = torus(1);
+  Constraints pinned, constraints;
+  pinned.is_corner.assign(surface.number_of_vertices(), 0);
+  constraints.is_corner = pinned.is_corner;
+  std::vector<Point> corners, tips;
+  for(const Vertex v : surface.vertices()) {
+    const Index i = static_cast<Index>(v) % 97;
+    pinned.is_corner[v] = i == 0 || i == 40;
+    constraints.is_corner[v] = i == 0;
+    if(pinned.is_corner[v])
+      (i == 0 ? corners : tips).push_back(surface.point(v));
+  }
   Start start;
-  spoil(surface, .1, start);
-  std::vector<Point> pinned;
-  for(const Vertex v : start.mesh.vertices())
-    if(static_cast<Index>(v) % 97 == 0) {
-      start.pinned[v] = true;
-      pinned.push_back(start.mesh.point(v));
-    }
-  improve_to(surface, start, 500);
-  std::vector<Point> found;
-  for(const Vertex v : start.mesh.vertices())
-    if(start.pinned[v])
-      found.push_back(start.mesh.point(v));
-  EXPECT_EQ(found, pinned);
+  spoil(surface, .1, start, pinned);
+  ASSERT_GE(corners.size(), 3u);
+  ASSERT_GE(tips.size(), 3u);
+  const Improvement_parameters parameters = parameters_for(surface, 500);
+  improve(surface, start.mesh, start.place, start.pinned, start.constrained, constraints, parameters,
+          [](double) { return true; });
+  const auto distance_to_mesh = [&](const Point& p) {
+    double least = infinity;
+    for(const Vertex v : start.mesh.vertices())
+      least = (std::min)(least, CGAL::squared_distance(p, start.mesh.point(v)));
+    return std::sqrt(least);
+  };
+  for(const Point& p : corners)
+    EXPECT_EQ(distance_to_mesh(p), 0.);
+  for(const Point& p : tips)
+    EXPECT_LE(distance_to_mesh(p), .31 * parameters.edge_length);
   expect_valid(surface, start);
 }
 

@@ -10,7 +10,9 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_DEFECT_MOVES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_DEFECT_MOVES_H
 
+#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/distance_to_ring.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
 #include <algorithm>
@@ -26,15 +28,19 @@ namespace internal {
 // triangular lattice: flips that leave the energy as it is let such a pair glide, and where it meets its opposite both
 // vanish. So from each irregular vertex sequences of flips that never raise the energy are searched, depth first and the
 // lowest energy first, until one lowers it. A lone pair has two such flips, one of which takes back the last one:
-// the search is nearly linear in its depth. What is found is kept if the vertices around can be relaxed to good triangles.
+// the search is nearly linear in its depth. What is found is kept if the vertices around can be relaxed to good triangles
+// that are still where the vertices were: else a few flips would cut off a horn that all steps before have kept.
 class Defect_moves
 {
 public:
   using Index = Lean_triangulation::Index;
 
-  explicit Defect_moves(Remeshed_surface& remeshed)
+  // `tolerance` is how far, in the unit of the relative sizes, a vertex may be left off the triangles that take its place. With an
+  // effort above 1 the searches are that much longer, and may raise the energy on their way.
+  Defect_moves(Remeshed_surface& remeshed, const double tolerance, const std::size_t effort = 1)
     : remeshed_(remeshed), table_(remeshed.connectivity()), stamp_(table_.vertex_slots(), 0)
-    , changed_(table_.vertex_slots(), 0), valence_(table_.vertex_slots(), 0), refusal_(table_.vertex_slots()) {}
+    , changed_(table_.vertex_slots(), 0), valence_(table_.vertex_slots(), 0), refusal_(table_.vertex_slots())
+    , tolerance_(tolerance), effort_(effort), barrier_(effort > 1 ? 6 : 0) {}
 
   // One search from each irregular vertex; returns by how much the energy has fallen. Where nothing has been flipped since
   // a search found nothing, none is made again.
@@ -56,6 +62,7 @@ private:
   void collect(Index v, int most, Index made, Candidates& candidates) const;
   void add(Index h, int most, Index made, Candidates& candidates) const;
   bool settle();
+  bool covers(const Point& p, Index v) const;
   void gather_zone();
   void note_flips();
   void note_change(Index v);
@@ -75,6 +82,10 @@ private:
   std::vector<Index> visited_;
   std::size_t nodes_left_ = 0, settlements_left_ = 0;
   int found_ = 0;
+  double tolerance_;
+  std::size_t effort_;
+  int barrier_;                         // the most by which the energy may be above that of the start: one step of an excess
+  std::vector<Point> places_;           // those of the zone before it was relaxed
 };
 
 inline int Defect_moves::sweep(const std::size_t depth)
@@ -85,8 +96,8 @@ inline int Defect_moves::sweep(const std::size_t depth)
     if(table_.is_removed(v) || !remeshed_.energy().is_irregular(v) || is_refused(v, depth))
       continue;
     // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
-    nodes_left_ = 40 * depth;
-    settlements_left_ = 4;
+    nodes_left_ = 40 * effort_ * depth;
+    settlements_left_ = 4 * effort_;
     path_.clear();
     const std::size_t begin = visited_.size();
     ++time_;
@@ -168,7 +179,7 @@ inline bool Defect_moves::search(const Corners& around, const std::size_t depth,
   Candidates candidates;
   note_visits(around);
   for(const Index v : around)
-    collect(v, -energy, made, candidates);
+    collect(v, barrier_ - energy, made, candidates);
   std::sort(candidates.list.begin(), candidates.list.begin() + candidates.size);
   for(std::size_t i = 0; i < candidates.size && nodes_left_ > 0; ++i) {
     const Index h = candidates.list[i].h, o = table_.opposite(h);
@@ -215,9 +226,17 @@ inline bool Defect_moves::settle()
     return false;
   --settlements_left_;
   gather_zone();
-  for(std::size_t i = 0; i < core_; ++i)
-    if(!remeshed_.is_fixed(zone_[i]))
-      remeshed_.put(zone_[i], remeshed_.spot_after(zone_[i], remeshed_.way_to_center_of_neighbors(zone_[i])));
+  places_.clear();
+  for(const Index v : zone_)
+    places_.push_back(remeshed_.spot(v).point);
+  for(std::size_t i = 0; i < core_; ++i) {
+    const Index v = zone_[i];
+    if(remeshed_.is_fixed(v))
+      continue;
+    const Remeshed_surface::Spot center = remeshed_.spot_after(v, remeshed_.way_to_center_of_neighbors(v));
+    if(remeshed_.may_be_at(v, center))
+      remeshed_.put(v, center);
+  }
   for(int round = 0; round < 3; ++round)
     for(const Index v : zone_)
       if(!remeshed_.is_fixed(v))
@@ -225,7 +244,26 @@ inline bool Defect_moves::settle()
   for(const Index v : zone_)
     if(remeshed_.ring_badness(v) > good)
       return false;
-  return true;
+  for(std::size_t i = 0; i < zone_.size(); ++i)
+    if(!covers(places_[i], zone_[i]))
+      return false;
+  // Where limbs are as thick as edges are long, flips bring their sides together.
+  return effort_ == 1 || !has_intersections_near(remeshed_, zone_);
+}
+
+// Whether the triangles around v or those beside them are near p, where v was: if not, a tip was cut off, or a hollow filled.
+inline bool Defect_moves::covers(const Point& p, const Index v) const
+{
+  const double limit = CGAL::square(tolerance_ * remeshed_.spot(v).size);
+  double distance = CGAL::squared_distance(p, remeshed_.spot(v).point);
+  if(distance > limit)
+    distance = squared_distance_to_ring(remeshed_, p, v, limit);
+  if(distance > limit)
+    table_.for_each_neighbor(v, [&](const Index w) {
+      if(distance > limit)
+        distance = (std::min)(distance, squared_distance_to_ring(remeshed_, p, w, limit));
+    });
+  return distance <= limit;
 }
 
 } // namespace internal

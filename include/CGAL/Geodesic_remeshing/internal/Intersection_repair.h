@@ -33,13 +33,14 @@ public:
   Intersection_repair(Remeshed_surface& remeshed, const double mendable)
     : remeshed_(remeshed), table_(remeshed.connectivity()), mendable_(mendable) {}
 
-  // Returns the number of intersections found before.
-  std::size_t run();
+  // Returns the number of intersections found before. Vertices that hold a tip give way only if they are let go.
+  std::size_t run(bool do_let_go);
 
 private:
   using Pair = Intersection_search::Pair;
 
   void mend(const Pair& faces);
+  std::vector<Index> corners_of(const Pair& faces) const;
   void move_apart(Index v);
   void flip_apart(Index h);
   void gather(const Pair& faces);
@@ -68,13 +69,10 @@ inline void Intersection_repair::gather(const Pair& faces)
 // With the faces of the zone.
 inline std::size_t Intersection_repair::intersections(const Index f) const
 {
-  const Kernel::Triangle_3 t = triangle(f);
-  const Bbox_3 box = t.bbox();
+  const Bbox_3 box = triangle(f).bbox();
   std::size_t number = 0;
-  for(const Index g : zone_) {
-    const Kernel::Triangle_3 s = triangle(g);
-    number += do_overlap(box, s.bbox()) && !share_a_vertex(table_, f, g) && do_intersect(t, s);
-  }
+  for(const Index g : zone_)
+    number += f != g && do_overlap(box, triangle(g).bbox()) && do_faces_intersect(remeshed_, f, g);
   return number;
 }
 
@@ -89,6 +87,8 @@ inline std::size_t Intersection_repair::intersections_of_ring(const Index v) con
 inline void Intersection_repair::move_apart(const Index v)
 {
   constexpr std::array<double, 6> steps = {{.1, -.1, .25, -.25, .5, -.5}};
+  if(remeshed_.is_fixed(v))
+    return;
   std::size_t number = intersections_of_ring(v);
   const double limit = (std::max)(mendable_, remeshed_.ring_badness(v));
   for(const double step : steps)
@@ -126,24 +126,37 @@ inline void Intersection_repair::flip_apart(const Index h)
 inline void Intersection_repair::mend(const Pair& faces)
 {
   gather(faces);
-  for(const Index f : {faces.first, faces.second})
-    for(Index h = 4 * f; h < 4 * f + 3; ++h) {
-      if(!do_intersect(triangle(faces.first), triangle(faces.second)))
-        return;
-      if(!remeshed_.is_fixed(table_.source(h)))
-        move_apart(table_.source(h));
-    }
+  const std::vector<Index> corners = corners_of(faces);
+  const auto are_parted = [&] { return !do_faces_intersect(remeshed_, faces.first, faces.second); };
+  for(const Index v : corners) {
+    if(are_parted())
+      return;
+    move_apart(v);
+  }
   for(const Index f : {faces.first, faces.second})
     for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      if(do_intersect(triangle(faces.first), triangle(faces.second)))
+      if(!are_parted())
         flip_apart(h);
 }
 
-inline std::size_t Intersection_repair::run()
+inline std::vector<Intersection_repair::Index> Intersection_repair::corners_of(const Pair& faces) const
+{
+  std::vector<Index> corners;
+  for(const Index f : {faces.first, faces.second})
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+      corners.push_back(table_.source(h));
+  return corners;
+}
+
+inline std::size_t Intersection_repair::run(const bool do_let_go)
 {
   const std::vector<Pair> pairs = Intersection_search(remeshed_).run();
-  for(const Pair& pair : pairs)
+  for(const Pair& pair : pairs) {
+    for(const Index v : corners_of(pair))
+      if(do_let_go)
+        remeshed_.let_go(v);
     mend(pair);
+  }
   return pairs.size();
 }
 

@@ -33,18 +33,78 @@ inline Kernel::Triangle_3 triangle_of(const Remeshed_surface& remeshed, const Le
           remeshed.spot(table.source(4 * f + 2)).point};
 }
 
-inline bool share_a_vertex(const Lean_triangulation& table, const Lean_triangulation::Index f,
-                           const Lean_triangulation::Index g)
+inline Vector normal_of(const Remeshed_surface& remeshed, const Lean_triangulation::Index f)
 {
-  for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h)
-    for(Lean_triangulation::Index k = 4 * g; k < 4 * g + 3; ++k)
-      if(table.source(h) == table.source(k))
+  const Kernel::Triangle_3 t = triangle_of(remeshed, f);
+  return cross_product(t[1] - t[0], t[2] - t[0]);
+}
+
+// Whether two faces have more in common than their vertices. Two that share an edge do so only if one lies on the other, which
+// is a turned face.
+inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_triangulation::Index f,
+                               const Lean_triangulation::Index g)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  Lean_triangulation::Index h = Lean_triangulation::none, k = h;
+  int shared = 0;
+  for(Lean_triangulation::Index i = 4 * f; i < 4 * f + 3; ++i)
+    for(Lean_triangulation::Index j = 4 * g; j < 4 * g + 3; ++j)
+      if(table.source(i) == table.source(j)) {
+        ++shared;
+        h = i;
+        k = j;
+      }
+  const Kernel::Triangle_3 s = triangle_of(remeshed, f), t = triangle_of(remeshed, g);
+  if(shared == 0)
+    return do_intersect(s, t);
+  if(shared > 1)
+    return false;
+  // In a fan, or a fold as blunt as a right angle, they do not.
+  if(normal_of(remeshed, f) * normal_of(remeshed, g) > 0.)
+    return false;
+  const auto opposite = [&](const Lean_triangulation::Index i) {
+    return Kernel::Segment_3(remeshed.spot(table.target(i)).point, remeshed.spot(table.apex(i)).point);
+  };
+  return do_intersect(opposite(h), t) || do_intersect(opposite(k), s);
+}
+
+// Whether a face at one of the vertices intersects one near them: no farther than two faces beyond.
+template <class Vertices>
+bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& vertices)
+{
+  using Index = Lean_triangulation::Index;
+  const Lean_triangulation& table = remeshed.connectivity();
+  std::vector<Index> around(vertices.begin(), vertices.end()), faces;
+  const auto add_faces = [&] {
+    for(const Index v : around)
+      table.for_each_outgoing(v, [&](const Index h) { faces.push_back(Lean_triangulation::face(h)); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  };
+  add_faces();
+  const std::vector<Index> changed = faces;
+  for(int ring = 0; ring < 2; ++ring) {
+    around.clear();
+    for(const Index f : faces)
+      for(Index h = 4 * f; h < 4 * f + 3; ++h)
+        around.push_back(table.source(h));
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    add_faces();
+  }
+  std::vector<Bbox_3> boxes;
+  for(const Index f : faces)
+    boxes.push_back(triangle_of(remeshed, f).bbox());
+  for(const Index f : changed) {
+    const Bbox_3 box = triangle_of(remeshed, f).bbox();
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      if(f != faces[i] && do_overlap(box, boxes[i]) && do_faces_intersect(remeshed, f, faces[i]))
         return true;
+  }
   return false;
 }
 
-// Finds the pairs of faces that intersect without sharing a vertex; those that share one are kept apart by never turning
-// a face. Nearly all faces are near none but their neighbours, and of those that share no vertex with them nearly all are
+// Finds the pairs of faces that intersect. Nearly all faces are near none but their neighbours, and of those that share no vertex with them nearly all are
 // parted by a plane between the two. So what is fast is to halve space where the faces are until few are left in each part, and
 // there to try the plane before asking for the exact answer.
 class Intersection_search
@@ -163,8 +223,7 @@ inline void Intersection_search::test_all(const std::size_t begin, const std::si
   for(std::size_t k = begin; k < end; ++k)
     for(std::size_t l = begin; l < k; ++l) {
       const Index f = faces_[l], g = faces_[k];
-      if(do_boxes_overlap(f, g, part) && !share_a_vertex(table_, f, g) && !are_apart(f, g) &&
-         do_intersect(triangle_of(remeshed_, f), triangle_of(remeshed_, g)))
+      if(do_boxes_overlap(f, g, part) && !are_apart(f, g) && do_faces_intersect(remeshed_, f, g))
         pairs_.push_back(std::minmax(f, g));
     }
 }

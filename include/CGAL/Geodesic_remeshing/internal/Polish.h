@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
 
+#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
 #include <algorithm>
@@ -31,7 +32,9 @@ class Polish
 public:
   using Index = Lean_triangulation::Index;
 
-  explicit Polish(Remeshed_surface& remeshed) : remeshed_(remeshed), table_(remeshed.connectivity()) {}
+  // If valences shall be kept regular, flips that make them less so are left to angles below 30 degrees.
+  explicit Polish(Remeshed_surface& remeshed, const bool keep_regular = false)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), keep_regular_(keep_regular) {}
 
   // Treats every triangle worse than the given badness once, the worst first. Returns the number of them.
   std::size_t run(double badness, bool do_collapse);
@@ -49,6 +52,7 @@ private:
 
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
+  bool keep_regular_;
 };
 
 inline double Polish::face_badness(const Index f) const
@@ -58,6 +62,7 @@ inline double Polish::face_badness(const Index f) const
 
 inline std::size_t Polish::run(const double badness, const bool do_collapse)
 {
+  static const double poor = badness_of_angle(30.);
   struct Bad { double badness; Index f; };
   std::vector<Bad> bad;
   for(Index f = 0; f < table_.face_slots(); ++f)
@@ -73,7 +78,10 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
         better(h);
     };
     try_each([&](const Index h) { better_vertex(table_.source(h)); });
-    try_each([&](const Index h) { better_by_flip(h); });
+    try_each([&](const Index h) {
+      if(!keep_regular_ || face_badness(x.f) > poor || remeshed_.energy().of_flip(h) <= 0)
+        better_by_flip(h);
+    });
     if(do_collapse)
       try_each([&](const Index h) {
         if(!better_by_collapse(h) && table_.opposite(h) != Lean_triangulation::none)
@@ -126,7 +134,7 @@ template <class Vertices> bool Polish::keep_if_better(const Vertices& vertices, 
   for(int round = 0; round < 2; ++round)
     for(const Index v : vertices)
       better_vertex(v);
-  const bool is_better = badness_around(vertices) < before;
+  const bool is_better = badness_around(vertices) < before && !has_intersections_near(remeshed_, vertices);
   if(!is_better)
     remeshed_.undo_to({0, 0});
   remeshed_.forget();
@@ -157,11 +165,12 @@ inline bool Polish::better_by_collapse(const Index h)
   return keep_if_better(std::array<Index, 4>{{a, a, c, d}}, before);
 }
 
-// Of an edge on a line: between lines that are nearer to each other than their vertices there have to be more of these.
+// Between lines that are nearer to each other than their vertices there have to be more of these; and around a thin limb,
+// where three vertices are nearer to each other than the others, more of them along it.
 inline bool Polish::better_by_split(const Index h)
 {
   Remeshed_surface::Spot middle;
-  if(!table_.is_constrained(h) || !remeshed_.find_middle(h, middle))
+  if(!remeshed_.find_middle(h, middle))
     return false;
   const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
   const Index d = o == Lean_triangulation::none ? a : table_.apex(o);

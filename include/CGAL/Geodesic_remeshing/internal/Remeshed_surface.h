@@ -53,13 +53,20 @@ public:
   Valence_energy& energy() { return energy_; }
   const Valence_energy& energy() const { return energy_; }
 
-  // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere.
-  bool is_fixed(const Index v) const { return pinned_[v]; }
+  // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere; one that can be sent
+  // elsewhere, if it finds good triangles there.
+  bool is_fixed(const Index v) const { return hold_[v] == Hold::corner || hold_[v] == Hold::tip; }
   bool has_lines() const { return has_lines_; }
   const Line_walker& lines() const { return lines_; }
   bool keeps_lines() const { return keeps_lines_; } // all their edges
   bool is_on_line(const Index v) const { return has_lines_ && connectivity_.is_on_line(v); }
-  bool is_free(const Index v) const { return !is_fixed(v) && !is_on_line(v); }
+  bool is_free(const Index v) const { return hold_[v] == Hold::none && !is_on_line(v); }
+  bool can_be_sent(const Index v) const { return !is_fixed(v) && !is_on_line(v); }
+  bool may_be_at(const Index v, const Spot& spot) const
+  {
+    return hold_[v] != Hold::leash ||
+           CGAL::squared_distance(spot.point, homes_[v]) <= CGAL::square(leash_length_ * spot.size);
+  }
 
   const Spot& spot(const Index v) const { return spots_[v]; }
   void put(const Index v, const Spot& spot)
@@ -75,12 +82,11 @@ public:
     return {walker_.point(place), place, walker_.normal_on_line(place), metric_.size(place)};
   }
   bool find_middle(Index h, Spot& middle) const;  // of an edge, on its line if it is on one
-  void pin(const Index v)
-  {
-    pinned_[v] = true;
-    pinned_here_.push_back(v);
-  }
-  void release();                               // the vertices that `pin()` pinned
+  // Tips are pinned, then kept on a leash: a vertex that nothing can move stops the pairs of irregular vertices that glide,
+  // one that is free leaves its tip and does not come back. Where nothing else helps they are let go.
+  void pin_tip(const Index v) { hold_[v] = Hold::tip; }
+  void keep_tips_on_leash(double length);       // times the relative size of the edges
+  void let_go(const Index v) { hold_[v] = hold_[v] == Hold::corner ? Hold::corner : Hold::none; }
   void reserve_free(Index number_of_splits);     // room for so many new vertices
 
   // A trial: from `record()` on changes can be taken back, until `forget()`, which keeps those that were not.
@@ -92,7 +98,7 @@ public:
 
   double badness(Index u, Index v, Index w) const;
   double ring_badness(const Index v) const { return ring_badness(v, spots_[v], infinity); }
-  // That of the ring if its center were at `spot`; no more than something above the limit where it is above the limit.
+  // That of the ring if its center were at `spot`, turned where it may not be; no more than something above the limit where it is above the limit.
   double ring_badness(Index v, const Spot& spot, double limit) const;
   Vector way_to_center_of_neighbors(Index v) const;
   template <class Visit> void for_each_neighbor_on_line(const Index v, const Visit& visit) const
@@ -106,6 +112,10 @@ public:
   }
 
 private:
+  enum class Hold : char { none, corner, tip, leash };
+
+  bool is_at_corner(const Place& place, const Constraints& constraints) const;
+
   bool is_turned(const Spot& u, const Spot& v, const Spot& w, const Vector& normal) const
   {
     // Against the mean normal: at a crease a single one may point anywhere.
@@ -121,8 +131,9 @@ private:
   Lean_triangulation connectivity_;
   Valence_energy energy_;
   std::vector<Spot> spots_;
-  std::vector<char> pinned_;
-  std::vector<Index> pinned_here_;
+  std::vector<Hold> hold_;
+  std::vector<Point> homes_;                    // of the vertices on a leash
+  double leash_length_ = 0.;
   std::vector<std::pair<Index, Spot>> journal_;
   bool is_recording_ = false;
 };
@@ -136,16 +147,16 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
   , connectivity_(mesh, [&](const Edge e) { return constrained[e]; }), energy_(connectivity_, has_lines_)
 {
   spots_.reserve(mesh.number_of_vertices());
-  pinned_.reserve(mesh.number_of_vertices());
+  hold_.reserve(mesh.number_of_vertices());
   for(const Vertex v : mesh.vertices()) {
     // A pinned vertex is a tip or a corner, where the normal of one face says nothing.
     const Vector normal = pinned[v] ? Vector(0., 0., 0.)
                         : is_on_line(v) ? walker_.normal_on_line(place[v]) : walker.normal(place[v].face);
     spots_.push_back({walker.point(place[v]), place[v], normal, metric_.size(place[v])});
-    pinned_.push_back(pinned[v]);
+    hold_.push_back(!pinned[v] ? Hold::none : is_on_line(v) || is_at_corner(place[v], constraints) ? Hold::corner : Hold::tip);
   }
-  for(Index v = 0; v < pinned_.size(); ++v)
-    if(pinned_[v] && is_on_line(v))
+  for(Index v = 0; v < hold_.size(); ++v)
+    if(is_fixed(v) && is_on_line(v))
       energy_.add_corner(v, [&](const Index w) { return spots_[w].point; });
 }
 
@@ -166,18 +177,32 @@ inline Remeshed_surface::Spot Remeshed_surface::spot_at_vertex(const Index x) co
   return {walker_.point(place), place, Vector(0., 0., 0.), metric_.size(Vertex(x))};
 }
 
-inline void Remeshed_surface::release()
+// Of those pinned before the others are tips: of regions, and the root.
+inline bool Remeshed_surface::is_at_corner(const Place& place, const Constraints& constraints) const
 {
-  for(const Index v : pinned_here_)
-    pinned_[v] = false;
-  pinned_here_.clear();
+  for(int i = 0; i < 3 && !constraints.is_corner.empty(); ++i)
+    if(place.coordinates[i] > 1. - 1e-9)
+      return constraints.is_corner[vertices_of(walker_.surface(), place.face)[i]] != 0;
+  return false;
+}
+
+inline void Remeshed_surface::keep_tips_on_leash(const double length)
+{
+  leash_length_ = length;
+  homes_.resize(spots_.size());
+  for(Index v = 0; v < hold_.size(); ++v)
+    if(hold_[v] == Hold::tip) {
+      hold_[v] = Hold::leash;
+      homes_[v] = spots_[v].point;
+    }
 }
 
 inline void Remeshed_surface::reserve_free(const Index number_of_splits)
 {
   connectivity_.reserve_free(number_of_splits);
   spots_.resize(connectivity_.vertex_slots());
-  pinned_.resize(connectivity_.vertex_slots(), false);
+  hold_.resize(connectivity_.vertex_slots(), Hold::none);
+  homes_.resize(homes_.empty() ? 0 : connectivity_.vertex_slots());
 }
 
 inline void Remeshed_surface::undo_to(const Mark mark)
@@ -211,7 +236,7 @@ inline double Remeshed_surface::ring_badness(const Index v, const Spot& spot, co
   const Index first = connectivity_.halfedge(v);
   const Spot* last = &spots_[connectivity_.target(first)];
   Vector a = last->point - spot.point;
-  double x = a.squared_length(), sum = 0.;
+  double x = a.squared_length(), sum = may_be_at(v, spot) ? 0. : turned_badness;
   Index h = first;
   do {
     const Spot* next = &spots_[connectivity_.apex(h)];

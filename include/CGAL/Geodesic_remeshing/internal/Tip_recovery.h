@@ -10,9 +10,11 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_TIP_RECOVERY_H
 
+#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Nearest_vertices.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/distance_to_ring.h>
 
 #include <algorithm>
 #include <array>
@@ -23,24 +25,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
-{
-  const Vector ab = b - a, ap = p - a;
-  const double length = ab.squared_length();
-  const double t = length > 0. ? (std::min)((std::max)(ap * ab / length, 0.), 1.) : 0.;
-  return (ap - t * ab).squared_length();
-}
-
-inline double squared_distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c)
-{
-  const Vector normal = cross_product(b - a, c - a);
-  const auto is_left = [&](const Point& from, const Point& to) { return cross_product(to - from, p - from) * normal >= 0.; };
-  if(normal.squared_length() > 0. && is_left(a, b) && is_left(b, c) && is_left(c, a))
-    return CGAL::square((p - a) * normal) / normal.squared_length();
-  return (std::min)({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
-                     squared_distance_to_segment(p, c, a)});
-}
 
 // Steps towards the centre of the neighbours shorten tips: horns, ears, claws, and dents as well. Where a vertex of the input
 // is farther from the triangulation than its neighbours and than a tolerance, the nearest vertex is sent there and stays,
@@ -58,7 +42,10 @@ public:
 
 private:
   const Point& input_point(const Index x) const { return remeshed_.walker().surface().point(Vertex(x)); }
-  double ring_distance(Index x, Index v, double limit) const;
+  double distance_to_ring(const Index x, const Index v, const double limit) const
+  {
+    return squared_distance_to_ring(remeshed_, input_point(x), v, limit);
+  }
   bool is_tip(Index x) const;
   bool send_one_of(Index v, Index x);
   bool send(Index v, Index x);
@@ -68,21 +55,6 @@ private:
   const Lean_triangulation& input_;
   std::vector<double> squared_distance_;   // of each input vertex from its nearest vertex; then from the triangles around that
 };
-
-// No more than something below the limit where it is below the limit.
-inline double Tip_recovery::ring_distance(const Index x, const Index v, const double limit) const
-{
-  double least = infinity;
-  const Index first = table_.halfedge(v);
-  Index h = first;
-  do {
-    least = (std::min)(least, squared_distance_to_triangle(input_point(x), remeshed_.spot(v).point,
-                                                           remeshed_.spot(table_.target(h)).point,
-                                                           remeshed_.spot(table_.apex(h)).point));
-    h = table_.rotate(h);
-  } while(h != first && h != Lean_triangulation::none && least > limit);
-  return least;
-}
 
 // Farther than all neighbours; the index decides among equals. What is on a line is left to the vertices of the line.
 inline bool Tip_recovery::is_tip(const Index x) const
@@ -99,13 +71,13 @@ inline bool Tip_recovery::is_tip(const Index x) const
 // measured to keep no more tips, and to leave more intersections at small numbers of vertices.
 inline bool Tip_recovery::send_one_of(const Index v, const Index x)
 {
-  if(remeshed_.is_free(v) && send(v, x))
+  if(remeshed_.can_be_sent(v) && send(v, x))
     return true;
   Index best = Lean_triangulation::none;
   double least = infinity;
   table_.for_each_neighbor(v, [&](const Index w) {
     const double distance = CGAL::squared_distance(input_point(x), remeshed_.spot(w).point);
-    if(remeshed_.is_free(w) && distance < least) {
+    if(remeshed_.can_be_sent(w) && distance < least) {
       least = distance;
       best = w;
     }
@@ -131,9 +103,10 @@ inline bool Tip_recovery::send(const Index v, const Index x)
   for(int round = 0; round < 2; ++round)
     for(const Index w : around)
       polish.better_vertex(w);
-  const bool is_good = badness() <= (std::max)(before, good);
+  // A tip is thin: the way to it may lead through its other side.
+  const bool is_good = badness() <= (std::max)(before, good) && !has_intersections_near(remeshed_, around);
   if(is_good)
-    remeshed_.pin(v);
+    remeshed_.pin_tip(v);
   else
     remeshed_.undo_to({0, 0});
   remeshed_.forget();
@@ -146,7 +119,7 @@ inline std::size_t Tip_recovery::run(const Nearest_vertices& nearest, const doub
   squared_distance_ = nearest.squared_distance;
   for(Index x = 0; x < input_.vertex_slots(); ++x)
     if(nearest.vertex[x] != Lean_triangulation::none && squared_distance_[x] > limit(x))
-      squared_distance_[x] = (std::min)(squared_distance_[x], ring_distance(x, nearest.vertex[x], limit(x)));
+      squared_distance_[x] = (std::min)(squared_distance_[x], distance_to_ring(x, nearest.vertex[x], limit(x)));
   std::size_t sent = 0;
   for(Index x = 0; x < input_.vertex_slots(); ++x) {
     if(nearest.vertex[x] == Lean_triangulation::none || !(squared_distance_[x] > limit(x)) || !is_tip(x))
@@ -155,7 +128,7 @@ inline std::size_t Tip_recovery::run(const Nearest_vertices& nearest, const doub
     double distance = squared_distance_[x];
     table_.for_each_neighbor(nearest.vertex[x], [&](const Index w) {
       if(distance > limit(x))
-        distance = (std::min)(distance, ring_distance(x, w, limit(x)));
+        distance = (std::min)(distance, distance_to_ring(x, w, limit(x)));
     });
     if(distance > limit(x) && send_one_of(nearest.vertex[x], x))
       ++sent;

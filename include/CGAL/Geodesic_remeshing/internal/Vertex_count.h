@@ -32,8 +32,10 @@ class Vertex_count
 public:
   using Index = Lean_triangulation::Index;
 
-  Vertex_count(Remeshed_surface& remeshed, const double edge_length)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), squared_edge_length_(edge_length * edge_length) {}
+  // No change leaves an angle smaller than `least_angle`, unless nothing else is left: then it may be 10.
+  Vertex_count(Remeshed_surface& remeshed, const double edge_length, const double least_angle = 10.)
+    : remeshed_(remeshed), table_(remeshed.connectivity()), squared_edge_length_(edge_length * edge_length)
+    , least_angle_(least_angle) {}
 
   // Returns whether the number was reached.
   bool reach(std::size_t number_of_vertices);
@@ -65,8 +67,8 @@ private:
 
   Remeshed_surface& remeshed_;
   Lean_triangulation& table_;
-  double least_angle_ = 10.; // that a change may leave
   double squared_edge_length_;
+  double least_angle_;                  // that a change may leave
   double least_angle_on_lines_ = 30.;   // that a collapse along a line may leave; lowered only if nothing else is left
   std::vector<Change> changes_;
   std::vector<char> touched_;     // vertices whose valence or place has changed since the costs were found
@@ -89,9 +91,12 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
     keep_cheapest(number);
     if(apply(number) > 0)
       continue;
-    if(least_angle_on_lines_ <= 10.)
+    if(least_angle_ > 10.)
+      least_angle_ -= 10.;
+    else if(least_angle_on_lines_ > 10.)
+      least_angle_on_lines_ -= 10.;
+    else
       return false;
-    least_angle_on_lines_ -= 10.;
   }
   return true;
 }

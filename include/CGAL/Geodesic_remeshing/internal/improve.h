@@ -26,6 +26,7 @@
 #include <CGAL/Geodesic_remeshing/internal/write_back.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -72,12 +73,11 @@ inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const doubl
 // short ways come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps are
 // what the angles live on.
 template <class Progress>
-bool remove_defects(Remeshed_surface& remeshed, const std::size_t first_depth, const std::vector<Quadric>& planes,
-                    const Progress& go_on)
+bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const std::size_t first_depth,
+                    const std::vector<Quadric>& planes, const Progress& go_on)
 {
   constexpr std::size_t sweeps = 6, last_depth = 12;
   const int least_gain = static_cast<int>(remeshed.connectivity().number_of_vertices() / 200);
-  Defect_moves moves(remeshed);
   for(std::size_t i = 0; i < sweeps; ++i) {
     const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
     const int gain = moves.sweep(depth);
@@ -93,18 +93,36 @@ bool remove_defects(Remeshed_surface& remeshed, const std::size_t first_depth, c
   return true;
 }
 
-// Takes out what flips and steps cannot mend, and puts as many vertices in elsewhere; last, only moves and flips.
+// On a mesh of few vertices limbs are as thick as edges are long: a tenth of the vertices is irregular, each near to others, and
+// what parts them takes longer searches. There is time for these: the whole takes a quarter of a second at 1,000 vertices.
+inline bool is_small(const std::size_t number_of_vertices) { return number_of_vertices <= 4000; }
+
+inline std::size_t search_effort(const std::size_t number_of_vertices)
+{
+  return is_small(number_of_vertices) ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000))) : 1;
+}
+
+// Takes out or divides what flips and steps cannot mend, and puts as many vertices in or takes them out elsewhere; last, only moves and flips.
 // Returns whether anything was to be done.
 inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
   for(int round = 0; round < 3; ++round) {
-    if(Polish(remeshed).run(badness_of_angle(30.), true) == 0)
+    if(Polish(remeshed).run(badness_of_angle(32.), true) == 0)
       return round > 0;
-    Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
+    Vertex_count(remeshed, parameters.edge_length, 30.).reach(parameters.number_of_vertices);
     flip_to_regular_valences(remeshed);
     relax(remeshed);
   }
   return true;
+}
+
+// Again and again, because what parts one pair may bring another together; then at the cost of tips, last of angles.
+inline void part_intersections(Remeshed_surface& remeshed)
+{
+  const std::array<double, 4> angles = {{30., 30., 30., 25.}};
+  for(std::size_t i = 0; i < angles.size(); ++i)
+    if(Intersection_repair(remeshed, badness_of_angle(angles[i])).run(i > 0) == 0)
+      break;
 }
 
 // Tips and defects hinder each other: a pinned tip stops the pairs that glide, and the steps between their sweeps shorten
@@ -117,16 +135,19 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
 {
   // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
   const double tolerance = .3 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
+  const std::size_t effort = search_effort(parameters.number_of_vertices);
   std::vector<Quadric> planes = recover_tips(remeshed, tolerance);
   if(mend_angles(remeshed, parameters))
     planes = quadrics(remeshed, Nearest_vertices(remeshed)); // the vertices are others now
   if(parameters.use_defect_moves) {
-    if(!remove_defects(remeshed, 4, planes, [&](const double progress) { return go_on(.5 * progress); }))
+    if(!remove_defects(remeshed, Defect_moves(remeshed, tolerance, effort), 4, planes,
+                       [&](const double progress) { return go_on(.5 * progress); }))
       return false;
     planes = recover_tips(remeshed, tolerance);
-    remeshed.release();
+    remeshed.keep_tips_on_leash(tolerance);
     remeshed.energy().let_numbers_count(true);
-    if(!remove_defects(remeshed, 8, planes, [&](const double progress) { return go_on(.5 + .5 * progress); }))
+    if(!remove_defects(remeshed, Defect_moves(remeshed, tolerance, effort), 8, planes,
+                       [&](const double progress) { return go_on(.5 + .5 * progress); }))
       return false;
   }
   recover_tips(remeshed, last_tolerance);
@@ -155,17 +176,17 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
                                       [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
     return;
   Line_fit(remeshed, parameters.edge_length).run();
-  for(int round = 0; round < polishings && Polish(remeshed).run(badness_of_angle(40.), false) > 0; ++round);
-  // Again, because what parts one pair may bring another together; last at the cost of angles.
-  for(const double angle : {30., 30., 25.})
-    if(Intersection_repair(remeshed, badness_of_angle(angle)).run() == 0)
-      break;
+  // On a small mesh many angles are below 40 degrees, and flips for all of them would cost a third of what the searches
+  // gained.
+  Polish polish(remeshed, is_small(parameters.number_of_vertices));
+  for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round);
+  part_intersections(remeshed);
   Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
   go_on(1.);
 }
 
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
-// vertices the one asked for. The pinned vertices stay where they are, the topology stays what it is, every vertex stays on
+// vertices the one asked for. Of the pinned vertices corners stay where they are and the others near, the topology stays what it is, every vertex stays on
 // the surface, and every edge that is `constrained` on its line: a vertex with such edges that is not pinned slides along them.
 // Of the `constraints` the corners tell where lines end. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
 // a valid mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
