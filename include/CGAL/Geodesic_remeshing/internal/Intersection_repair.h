@@ -34,7 +34,7 @@ public:
     : remeshed_(remeshed), table_(remeshed.connectivity()), mendable_(mendable) {}
 
   // Returns the number of intersections found before. Vertices that hold a tip give way only if they are let go.
-  std::size_t run(bool do_let_go);
+  std::size_t run(bool do_let_go = false);
 
 private:
   using Pair = Intersection_search::Pair;

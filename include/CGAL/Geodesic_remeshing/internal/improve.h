@@ -133,24 +133,26 @@ template <class Progress>
 bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improvement_parameters& parameters,
                                      const Progress& go_on)
 {
-  // Below this a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
-  const double tolerance = .3 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
+  // Below the first a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
+  const double tolerance = .35 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
+  const double leash = .3 * parameters.edge_length;
   const std::size_t effort = search_effort(parameters.number_of_vertices);
   std::vector<Quadric> planes = recover_tips(remeshed, tolerance);
   if(mend_angles(remeshed, parameters))
     planes = quadrics(remeshed, Nearest_vertices(remeshed)); // the vertices are others now
   if(parameters.use_defect_moves) {
-    if(!remove_defects(remeshed, Defect_moves(remeshed, tolerance, effort), 4, planes,
+    if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), 4, planes,
                        [&](const double progress) { return go_on(.5 * progress); }))
       return false;
     planes = recover_tips(remeshed, tolerance);
-    remeshed.keep_tips_on_leash(tolerance);
+    remeshed.keep_tips_on_leash(leash);
     remeshed.energy().let_numbers_count(true);
-    if(!remove_defects(remeshed, Defect_moves(remeshed, tolerance, effort), 8, planes,
+    if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), 8, planes,
                        [&](const double progress) { return go_on(.5 + .5 * progress); }))
       return false;
   }
   recover_tips(remeshed, last_tolerance);
+  remeshed.keep_tips_on_leash(leash);
   // Once more, on the cells as they are now: nearer to hollows.
   relax_with_quadrics(remeshed, quadrics(remeshed, Nearest_vertices(remeshed)));
   return true;
