@@ -119,7 +119,7 @@ inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
 // Again and again, because what parts one pair may bring another together; then at the cost of tips, last of angles.
 inline void part_intersections(Remeshed_surface& remeshed)
 {
-  const std::array<double, 4> angles = {{30., 30., 30., 25.}};
+  const std::array<double, 5> angles = {{30., 30., 30., 25., 20.}};
   for(std::size_t i = 0; i < angles.size(); ++i)
     if(Intersection_repair(remeshed, badness_of_angle(angles[i])).run(i > 0) == 0)
       break;
