@@ -79,7 +79,7 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
     };
     try_each([&](const Index h) { better_vertex(table_.source(h)); });
     try_each([&](const Index h) {
-      if(!keep_regular_ || face_badness(x.f) > poor || remeshed_.energy().of_flip(h) <= 0)
+      if(!keep_regular_ || face_badness(x.f) > poor || (table_.is_flip_legal(h) && remeshed_.energy().of_flip(h) <= 0))
         better_by_flip(h);
     });
     if(do_collapse)
@@ -170,7 +170,7 @@ inline bool Polish::better_by_collapse(const Index h)
 inline bool Polish::better_by_split(const Index h)
 {
   Remeshed_surface::Spot middle;
-  if(!remeshed_.find_middle(h, middle))
+  if((remeshed_.has_lines() && !table_.is_constrained(h)) || !remeshed_.find_middle(h, middle))
     return false;
   const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
   const Index d = o == Lean_triangulation::none ? a : table_.apex(o);

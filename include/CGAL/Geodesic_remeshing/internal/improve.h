@@ -95,11 +95,15 @@ bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const std:
 
 // On a mesh of few vertices limbs are as thick as edges are long: a tenth of the vertices is irregular, each near to others, and
 // what parts them takes longer searches. There is time for these: the whole takes a quarter of a second at 1,000 vertices.
-inline bool is_small(const std::size_t number_of_vertices) { return number_of_vertices <= 4000; }
-
-inline std::size_t search_effort(const std::size_t number_of_vertices)
+// Lines leave the searches less freedom, and are followed less evenly after them.
+inline bool is_small(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
 {
-  return is_small(number_of_vertices) ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000))) : 1;
+  return number_of_vertices <= 4000 && !remeshed.has_lines();
+}
+
+inline std::size_t search_effort(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
+{
+  return is_small(remeshed, number_of_vertices) ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000))) : 1;
 }
 
 // Takes out or divides what flips and steps cannot mend, and puts as many vertices in or takes them out elsewhere; last, only moves and flips.
@@ -107,9 +111,9 @@ inline std::size_t search_effort(const std::size_t number_of_vertices)
 inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
   for(int round = 0; round < 3; ++round) {
-    if(Polish(remeshed).run(badness_of_angle(32.), true) == 0)
+    if(Polish(remeshed).run(badness_of_angle(remeshed.has_lines() ? 30. : 32.), true) == 0)
       return round > 0;
-    Vertex_count(remeshed, parameters.edge_length, 30.).reach(parameters.number_of_vertices);
+    Vertex_count(remeshed, parameters.edge_length, remeshed.has_lines() ? 10. : 30.).reach(parameters.number_of_vertices);
     flip_to_regular_valences(remeshed);
     relax(remeshed);
   }
@@ -136,7 +140,7 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
   // Below the first a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
   const double tolerance = .35 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
   const double leash = .3 * parameters.edge_length;
-  const std::size_t effort = search_effort(parameters.number_of_vertices);
+  const std::size_t effort = search_effort(remeshed, parameters.number_of_vertices);
   std::vector<Quadric> planes = recover_tips(remeshed, tolerance);
   if(mend_angles(remeshed, parameters))
     planes = quadrics(remeshed, Nearest_vertices(remeshed)); // the vertices are others now
@@ -180,7 +184,7 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   Line_fit(remeshed, parameters.edge_length).run();
   // On a small mesh many angles are below 40 degrees, and flips for all of them would cost a third of what the searches
   // gained.
-  Polish polish(remeshed, is_small(parameters.number_of_vertices));
+  Polish polish(remeshed, is_small(remeshed, parameters.number_of_vertices));
   for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round);
   part_intersections(remeshed);
   Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);

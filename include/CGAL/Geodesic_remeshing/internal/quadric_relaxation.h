@@ -115,8 +115,10 @@ inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Qu
       continue;
     const Vector way = remeshed.way_to_center_of_neighbors(v);
     const Point& point = remeshed.spot(v).point;
-    try_way(remeshed, v, quadric[v].weight > 0. ? quadric[v].least(point, way, pull)
-                                                : quadric_of_neighbors(remeshed, v).least(point, way, pull_among_neighbors));
+    const bool has_cell = quadric[v].weight > 0., has_neighbors_only = !has_cell && !remeshed.is_on_line(v);
+    try_way(remeshed, v, has_cell  ? quadric[v].least(point, way, pull)
+                         : has_neighbors_only ? quadric_of_neighbors(remeshed, v).least(point, way, pull_among_neighbors)
+                                    : way);
   }
 }
 
