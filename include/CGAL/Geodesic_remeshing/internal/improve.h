@@ -103,7 +103,8 @@ inline bool is_small(const Remeshed_surface& remeshed, const std::size_t number_
 
 inline std::size_t search_effort(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
 {
-  return is_small(remeshed, number_of_vertices) ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000))) : 1;
+  return is_small(remeshed, number_of_vertices)
+           ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000))) : 1;
 }
 
 // Takes out or divides what flips and steps cannot mend, and puts as many vertices in or takes them out elsewhere; last, only moves and flips.
