@@ -55,6 +55,8 @@ inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_tria
         k = j;
       }
   const Kernel::Triangle_3 s = triangle_of(remeshed, f), t = triangle_of(remeshed, g);
+  if(s.is_degenerate() || t.is_degenerate())
+    return false; // the predicates do not take faces of no area, and parting them from others would not mend them
   if(shared == 0)
     return do_intersect(s, t);
   if(shared > 1)
