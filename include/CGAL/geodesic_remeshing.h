@@ -32,6 +32,7 @@
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <cmath>
+#include <memory>
 #include <type_traits>
 
 namespace CGAL {
@@ -267,6 +268,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, np_in, input, true);
+  sort_in_space(input);
   const Mesh& surface = input.mesh;
 
   clock.stage("sizing", .03);
@@ -293,8 +295,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Working_surface& pieces = cut_along_lines(working, is_corner, cut, wants_regions);
 
   clock.stage("distances", .1);
-  const Intrinsic_triangulation triangulation(pieces.mesh);
-  Fast_marching marching(triangulation);
+  auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh);
+  auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
+  Fast_marching& marching = *marching_memory;
   const Fronts_and_components fronts = march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching);
   const std::vector<double> distance = distances_in(marching, pieces.mesh);
   keep_working_surface(pieces.mesh, distance, kept);
@@ -313,6 +316,8 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
   if(!lines.empty())
     on_lines.distance = distances_from_lines(pieces.mesh, marching, 2. * edge_length);
+  marching_memory.reset(); // the largest of what the stages make, and needed no more
+  triangulation.reset();
   const std::vector<Sample> samples =
     sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots, budget.curve_edge_length, n);
   keep_samples(samples, kept);

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_INPUT_SURFACE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_INPUT_SURFACE_H
 
+#include <CGAL/Geodesic_remeshing/internal/spatial_order.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
 
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +35,10 @@ struct Input_surface
   Mesh mesh;
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> face_of;     // by internal index
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex_of;
+  std::vector<Edge> edges_in_order;  // in the order of the user's, where that is another one
+
+  Edge copy_of_edge(std::size_t i) const // of the i-th of the user's
+  { return edges_in_order.empty() ? Edge(static_cast<Mesh::size_type>(i)) : edges_in_order[i]; }
 };
 
 // Index maps of a mesh with removed elements have gaps.
@@ -145,6 +151,25 @@ void copy_input(const TriangleMesh& tmesh, const NamedParameters& np, Input_surf
   copy_connectivity(tmesh, index, halfedge_index, largest_index(halfedges(tmesh), halfedge_index) + 1, copy, mesh);
   result.face_of.assign(faces(tmesh).begin(), faces(tmesh).end());
   check_fans(mesh);
+}
+
+// Renumbers the copy of a large input in a spatially coherent order.
+template <class TriangleMesh>
+void sort_in_space(Input_surface<TriangleMesh>& input)
+{
+  if(!is_large(input.mesh.number_of_vertices()))
+    return;
+  Mesh sorted;
+  const std::vector<Vertex> order = spatial_order(input.mesh);
+  Numbering number = copy_in_order(input.mesh, order, sorted);
+  input.mesh = std::move(sorted);
+  auto vertex_of = input.vertex_of;
+  for(std::size_t i = 0; i < order.size(); ++i)
+    input.vertex_of[i] = vertex_of[order[i]];
+  auto face_of = input.face_of;
+  for(std::size_t i = 0; i < face_of.size(); ++i)
+    input.face_of[number.face[i]] = face_of[i];
+  input.edges_in_order = std::move(number.edge);
 }
 
 inline double area(const Mesh& mesh, Face f)

@@ -128,9 +128,9 @@ void mark_given_lines(const TriangleMesh& tmesh, const NamedParameters& np, cons
   if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
   {
     const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
-    std::size_t i = 0; // the copy has the edges in the order of the input
+    std::size_t i = 0;
     for(auto e : edges(tmesh))
-      is_line[i++] |= get(is_constrained, e) ? 1 : 0;
+      is_line[input.copy_of_edge(i++).idx()] |= get(is_constrained, e) ? 1 : 0;
   }
   if constexpr(!is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
   {
