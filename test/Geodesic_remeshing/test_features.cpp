@@ -643,6 +643,36 @@ TEST(Patches, octants_of_a_sphere)
   }
 }
 
+// Large inputs are renumbered inside: what the maps tell of their edges, vertices and faces has to go along.
+TEST(Patches, of_a_large_surface_with_a_line_and_sizes)
+{
+  Mesh input = made::torus(3., 1., 300, 120);
+  const auto center_of = [](const Mesh& mesh, Face f) {
+    const auto v = CGAL::vertices_around_face(mesh.halfedge(f), mesh);
+    const auto first = v.begin();
+    return CGAL::centroid(mesh.point(*first), mesh.point(*std::next(first)), mesh.point(*std::next(first, 2)));
+  };
+  const auto side_of = [&](const Mesh& mesh, Face f) { return center_of(mesh, f).y() > 0. ? 7 : 3; };
+  auto side = input.add_property_map<Face, int>("f:side").first;
+  for(Face f : input.faces())
+    side[f] = side_of(input, f);
+  auto size = input.add_property_map<Vertex, double>("v:size").first;
+  for(Vertex v : input.vertices())
+    size[v] = input.point(v).x() > 0. ? 1. : 2.;
+  auto is_on_equator = input.add_property_map<Edge, bool>("e:is_on_equator", false).first;
+  for(Edge e : input.edges())
+    is_on_equator[e] = input.point(input.vertex(e, 0)).x() > 3.9 && input.point(input.vertex(e, 1)).x() > 3.9 &&
+                       std::abs(input.point(input.vertex(e, 0)).z()) < 1e-9 && std::abs(input.point(input.vertex(e, 1)).z()) < 1e-9;
+
+  const Result result(input, 1500, parameters::face_patch_map(side).sizing_field(size).edge_is_constrained_map(is_on_equator));
+  expect_guarantees(input, result, 1500);
+  for(Face f : result.mesh.faces())
+    EXPECT_EQ(result.patch[f], side_of(result.mesh, f)) << f;
+  const auto is_line = [&](Edge e) { return is_on_equator[e] || side[input.face(input.halfedge(e, 0))] != side[input.face(input.halfedge(e, 1))]; };
+  expect_lines_covered(lines_of(input, is_line), result, .005 * diagonal_of(input));
+  EXPECT_GE(std::count_if(input.edges().begin(), input.edges().end(), [&](Edge e) { return is_on_equator[e]; }), 10);
+}
+
 TEST(Patches, in_place)
 {
   Mesh mesh = made::box(2, 2, 2);
