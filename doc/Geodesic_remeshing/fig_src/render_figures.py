@@ -264,14 +264,15 @@ def set_camera(renderer, view, data, aspect):
     renderer.ResetCameraClippingRange()
 
 
-def render(folder, view, what, size, file_name):
+def write_picture(actors, size, aim, file_name):
+    """The actors as a PNG file, some times larger than the size; aim(renderer) sets the camera"""
     from vtkmodules.vtkIOImage import vtkPNGWriter
     from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (it registers the renderer)
 
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    for actor in layers(folder, what):
+    for actor in actors:
         renderer.AddActor(actor)
     lights = vtkLightKit()
     lights.SetKeyLightIntensity(.95)
@@ -281,7 +282,7 @@ def render(folder, view, what, size, file_name):
     window.SetOffScreenRendering(1)
     window.SetSize(*(PIXELS * n for n in size))
     window.AddRenderer(renderer)
-    set_camera(renderer, view, read(folder, "input"), size[0] / size[1])
+    aim(renderer)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
@@ -290,6 +291,11 @@ def render(folder, view, what, size, file_name):
     writer.SetFileName(file_name)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
+
+
+def render(folder, view, what, size, file_name):
+    write_picture(layers(folder, what), size,
+                  lambda renderer: set_camera(renderer, view, read(folder, "input"), size[0] / size[1]), file_name)
 
 
 def make_figure(name, stages, figures, work):

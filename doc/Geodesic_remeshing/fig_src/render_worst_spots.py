@@ -102,39 +102,19 @@ def colors_of_angles():
 
 
 def render(data, worst, center, normal, edge, file_name):
-    from vtkmodules.vtkIOImage import vtkPNGWriter
-    from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (it registers the renderer)
+    def aim(renderer):
+        height = EDGES_ACROSS * edge
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(center)
+        camera.SetPosition(*(c + 2 * height * n for c, n in zip(center, normal)))
+        camera.SetViewUp((0, 0, 1) if abs(normal[2]) < .8 else (0, 1, 0))
+        camera.SetParallelScale(height / 2)
+        camera.SetClippingRange(2 * height - 1.5 * edge, 3 * height)
 
     actor = figures.color_by(figures.mesh(data), colors_of_angles(), 0, 60)
     actor.GetMapper().SetScalarModeToUseCellData()
-    renderer = vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    renderer.AddActor(figures.tubes(worst, .05 * edge, figures.ACCENT))
-    lights = vtkLightKit()
-    lights.AddLightsToRenderer(renderer)
-    window = vtkRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetOffScreenRendering(1)
-    window.SetSize(*(figures.PIXELS * n for n in SIZE))
-    window.AddRenderer(renderer)
-    height = EDGES_ACROSS * edge
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetFocalPoint(center)
-    camera.SetPosition(*(c + 2 * height * n for c, n in zip(center, normal)))
-    camera.SetViewUp((0, 0, 1) if abs(normal[2]) < .8 else (0, 1, 0))
-    camera.SetParallelScale(height / 2)
-    camera.SetClippingRange(2 * height - 1.5 * edge, 3 * height)
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(file_name)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    figures.write_picture([actor, figures.tubes(worst, .05 * edge, figures.ACCENT)], SIZE, aim, file_name)
 
 
 def panel(mesh_file, label, file_name):
