@@ -100,7 +100,7 @@ using Mesh_types = testing::Types<Surface_mesh<Epick>, Surface_mesh<CGAL::Exact_
                                   , OpenMesh::TriMesh_ArrayKernelT<>
 #endif
                                   >;
-TYPED_TEST_SUITE(Mesh_type, Mesh_types);
+TYPED_TEST_SUITE(Mesh_type, Mesh_types, ); // the comma is for clang, which wants an argument for the names
 
 } // namespace
 
