@@ -95,6 +95,7 @@ def diagonal_of(data):
 
 def actor_of(data, color):
     from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (what is made before this is registered draws nothing)
 
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
@@ -268,7 +269,6 @@ def write_picture(actors, size, aim, file_name):
     """The actors as a PNG file, some times larger than the size; aim(renderer) sets the camera"""
     from vtkmodules.vtkIOImage import vtkPNGWriter
     from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (it registers the renderer)
 
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
