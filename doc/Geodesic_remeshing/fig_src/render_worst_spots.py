@@ -3,7 +3,7 @@
   render_worst_spots.py FOLDER_OF_MESHES FIGURE.png MODEL...
 
 The folder holds what `remeshing_benchmark --meshes` wrote, MODEL.METHOD.off. A row for each model, a column for each method. Faces are colored by
-their smallest angle, the one in the middle is outlined. All panels show as many edge lengths; what is more than half a one
+their smallest angle, the one in the middle is outlined. All panels show as many edge lengths; what is more than one and a half of them
 in front of the triangle (another sheet, a limb) is cut away.
 """
 
@@ -110,7 +110,7 @@ def render(data, worst, center, normal, edge, file_name):
         camera.SetPosition(*(c + 2 * height * n for c, n in zip(center, normal)))
         camera.SetViewUp((0, 0, 1) if abs(normal[2]) < .8 else (0, 1, 0))
         camera.SetParallelScale(height / 2)
-        camera.SetClippingRange(2 * height - .5 * edge, 3 * height)
+        camera.SetClippingRange(2 * height - 1.5 * edge, 3 * height)
 
     actor = figures.color_by(figures.mesh(data), colors_of_angles(), 0, 60)
     actor.GetMapper().SetScalarModeToUseCellData()
