@@ -82,9 +82,6 @@ inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed, const Nea
   return result;
 }
 
-// Steps as those of `relax()`, but held back where they would leave the planes of the input: along a ridge, into a dent.
-// Where the surface is flat the two are the same. The quadrics may be those of some steps ago: the planes near a vertex stay
-// nearly the same ones, and to find them takes a pass over the whole input.
 // Where the input is coarser than the triangulation most vertices are the nearest of none of the input's. Then the planes at
 // the neighbours tell where its edges are: a vertex beside one comes to lie on it.
 inline Quadric quadric_of_neighbors(const Remeshed_surface& remeshed, const Lean_triangulation::Index v)
@@ -101,6 +98,9 @@ inline Quadric quadric_of_neighbors(const Remeshed_surface& remeshed, const Lean
   return quadric;
 }
 
+// Steps as those of `relax()`, but held back where they would leave the planes of the input: along a ridge, into a dent.
+// Where the surface is flat the two are the same. The quadrics may be those of some steps ago: the planes near a vertex stay
+// nearly the same ones, and to find them takes a pass over the whole input.
 inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Quadric>& quadric)
 {
   // The smaller, the better is the surface kept and the worse are the triangles. Of .15, .3 and .6 this one has nearly the
