@@ -47,11 +47,13 @@ public:
       m_cell[s] = s.idx();
       (m_is_on_line[s] ? on_lines : others).push_back(s);
     }
-    grow(on_lines, true);
+    const Metric metric(m_mesh);
+    const double step = mean_length(metric);
+    grow(on_lines, true, metric, step);
     for(Vertex v : m_mesh.vertices())
       if(m_is_on_line[v] && m_cell[v] != none)
         others.push_back(v);
-    grow(others, false);
+    grow(others, false, metric, step);
   }
 
   // The vertices to contract, cell by cell, in each those on lines first and nearest to the sample first, so that all
@@ -83,11 +85,9 @@ private:
   // Shortest paths along the edges: coarse for distances, but every vertex is joined to its sample by edges within the cell.
   // In rounds of about an edge's length, each in the order in which vertices were reached, and again if they are
   // reached on a shorter way: what is next in a heap may be anywhere on the surface.
-  void grow(const std::vector<Vertex>& sources, bool along_lines)
+  void grow(const std::vector<Vertex>& sources, bool along_lines, const Metric& metric, double step)
   {
     constexpr std::size_t most_rounds = 1024;
-    const Metric metric(m_mesh);
-    const double step = mean_length(metric);
     std::vector<std::vector<std::pair<double, Vertex>>> rounds(1);
     const auto enter = [&](double distance, Vertex v)
     {

@@ -34,6 +34,15 @@ private:
   { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
 };
 
+// Whether a place is a vertex of the surface that is a corner, but for rounding
+inline bool is_at_corner(const Mesh& surface, const Constraints& constraints, const Place& place)
+{
+  for(int i = 0; i < 3 && !constraints.is_corner.empty(); ++i)
+    if(place.coordinates[i] > 1. - 1e-9)
+      return constraints.is_corner[vertices_of(surface, place.face)[i]] != 0;
+  return false;
+}
+
 } // namespace internal
 } // namespace Geodesic_remeshing
 } // namespace CGAL

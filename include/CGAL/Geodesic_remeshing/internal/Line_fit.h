@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
+#include <CGAL/Geodesic_remeshing/internal/squared_distance_to_segment.h>
 
 #include <algorithm>
 #include <array>
@@ -64,13 +65,9 @@ private:
   double deviation(const Stretch& s, const double low, const double high) const
   {
     const Point from = point_at(s, low), to = point_at(s, high);
-    const Vector chord = to - from;
-    const double length = chord.squared_length();
     double largest = 0.;
     remeshed_.lines().for_each_point(s.piece, low, high, [&](const Point& p) {
-      const Vector way = p - from;
-      const double part = length > 0. ? (std::min)((std::max)(way * chord / length, 0.), 1.) : 0.;
-      largest = (std::max)(largest, (way - part * chord).squared_length());
+      largest = (std::max)(largest, squared_distance_to_segment(p, from, to));
     });
     return largest;
   }

@@ -114,8 +114,6 @@ public:
 private:
   enum class Hold : char { none, corner, tip, leash };
 
-  bool is_at_corner(const Place& place, const Constraints& constraints) const;
-
   bool is_turned(const Spot& u, const Spot& v, const Spot& w, const Vector& normal) const
   {
     // Against the mean normal: at a crease a single one may point anywhere.
@@ -153,7 +151,7 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
     const Vector normal = pinned[v] ? Vector(0., 0., 0.)
                         : is_on_line(v) ? walker_.normal_on_line(place[v]) : walker.normal(place[v].face);
     spots_.push_back({walker.point(place[v]), place[v], normal, metric_.size(place[v])});
-    hold_.push_back(!pinned[v] ? Hold::none : is_on_line(v) || is_at_corner(place[v], constraints) ? Hold::corner : Hold::tip);
+    hold_.push_back(!pinned[v] ? Hold::none : is_on_line(v) || is_at_corner(walker_.surface(), constraints, place[v]) ? Hold::corner : Hold::tip);
   }
   for(Index v = 0; v < hold_.size(); ++v)
     if(is_fixed(v) && is_on_line(v))
@@ -175,15 +173,6 @@ inline Remeshed_surface::Spot Remeshed_surface::spot_at_vertex(const Index x) co
   Place place{Face(Lean_triangulation::face(h)), {{0., 0., 0.}}};
   place.coordinates[h & 3] = 1.;
   return {walker_.point(place), place, Vector(0., 0., 0.), metric_.size(Vertex(x))};
-}
-
-// Of those pinned before the others are tips: of regions, and the root.
-inline bool Remeshed_surface::is_at_corner(const Place& place, const Constraints& constraints) const
-{
-  for(int i = 0; i < 3 && !constraints.is_corner.empty(); ++i)
-    if(place.coordinates[i] > 1. - 1e-9)
-      return constraints.is_corner[vertices_of(walker_.surface(), place.face)[i]] != 0;
-  return false;
 }
 
 inline void Remeshed_surface::keep_tips_on_leash(const double length)

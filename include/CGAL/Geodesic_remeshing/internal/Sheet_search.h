@@ -10,9 +10,9 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_SHEET_SEARCH_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_SHEET_SEARCH_H
 
+#include <CGAL/Geodesic_remeshing/internal/squared_distance_to_segment.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -53,11 +53,7 @@ public:
 private:
   bool reaches(Halfedge h, const Point& centre, double radius) const
   {
-    const Point& p = m_mesh.point(m_mesh.source(h));
-    const Vector along = m_mesh.point(m_mesh.target(h)) - p, way = centre - p;
-    const double length = along.squared_length();
-    const double part = length > 0. ? (std::min)((std::max)(way * along / length, 0.), 1.) : 0.;
-    return (way - part * along).squared_length() <= radius * radius;
+    return squared_distance_to_segment(centre, m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) <= radius * radius;
   }
 
   const Mesh& m_mesh;

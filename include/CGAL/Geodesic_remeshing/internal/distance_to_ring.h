@@ -11,20 +11,13 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_DISTANCE_TO_RING_H
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/squared_distance_to_segment.h>
 
 #include <algorithm>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
-{
-  const Vector ab = b - a, ap = p - a;
-  const double length = ab.squared_length();
-  const double t = length > 0. ? (std::min)((std::max)(ap * ab / length, 0.), 1.) : 0.;
-  return (ap - t * ab).squared_length();
-}
 
 inline double squared_distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c)
 {

@@ -42,13 +42,8 @@ struct Fit_result { double root_mean_square = 0., largest = 0.; };
 // Of the vertices that the improvement pinned only the corners may not move: tips are where there is most to fit.
 inline void pin_corners(const Mesh& surface, const Constraints& constraints, Placed_mesh& mesh)
 {
-  for(const Vertex v : mesh.mesh.vertices()) {
-    const auto corners = vertices_of(surface, mesh.place[v].face);
-    mesh.pinned[v] = false;
-    for(int i = 0; i < 3 && !constraints.is_corner.empty(); ++i)
-      if(mesh.place[v].coordinates[i] >= 1. && constraints.is_corner[corners[i]])
-        mesh.pinned[v] = true;
-  }
+  for(const Vertex v : mesh.mesh.vertices())
+    mesh.pinned[v] = is_at_corner(surface, constraints, mesh.place[v]);
 }
 
 // Leaves nothing below the angle promised and nothing that intersects, where that can be had by steps back to the surface and along it.
@@ -133,7 +128,7 @@ inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, c
 
 // Brings a remeshed surface as near to the input as its number of vertices and angles of 30 degrees allow. Its vertices leave the
 // surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning false. Where the
-// result intersects itself more than the mesh that came, all is done once more without those parts.
+// result intersects itself more than the mesh that came, all is done again without those parts, twice at most.
 template <class Progress>
 Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, const double edge_length, Placed_mesh& out,
                        const Progress& go_on)
