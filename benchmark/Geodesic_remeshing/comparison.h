@@ -61,7 +61,8 @@ inline Options read_options(int argc, char* argv[], const std::vector<Task>& tas
     else if(word.front() != '-' && equals != std::string::npos)
       options.tasks.push_back({word.substr(0, equals), std::stoul(word.substr(equals + 1))});
     else
-      throw std::invalid_argument(std::string("usage: ") + argv[0] + " [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]");
+      throw std::invalid_argument(std::string("usage: ") + argv[0] +
+                                  " [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]");
   }
   if(options.tasks.empty())
     options.tasks = tasks;

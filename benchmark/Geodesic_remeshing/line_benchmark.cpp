@@ -43,9 +43,15 @@ using Segments = std::vector<Kernel::Segment_3>;
 using Line_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
 // Of open surfaces, which are scanned ones here, the boundary only: on noise a bound of the angle finds no lines.
-double feature_angle(const Mesh& mesh) { return CGAL::is_closed(mesh) ? 60. : 180.; }
+double feature_angle(const Mesh& mesh)
+{
+  return CGAL::is_closed(mesh) ? 60. : 180.;
+}
 
-Line_map line_map(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:line", false).first; }
+Line_map line_map(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
+}
 
 Remesher geodesic(bool protect)
 {
@@ -54,9 +60,10 @@ Remesher geodesic(bool protect)
             return [&input, number_of_vertices, protect] {
               namespace parameters = CGAL::Geodesic_remeshing::parameters;
               Mesh output;
-              CGAL::geodesic_remeshing(input, number_of_vertices, output,
-                                       parameters::features_angle_bound(feature_angle(input)).protect_constraints(protect),
-                                       parameters::edge_is_constrained_map(line_map(output)));
+              CGAL::geodesic_remeshing(
+                  input, number_of_vertices, output,
+                  parameters::features_angle_bound(feature_angle(input)).protect_constraints(protect),
+                  parameters::edge_is_constrained_map(line_map(output)));
               return output;
             };
           }};
@@ -78,8 +85,9 @@ Remesher isotropic(bool protect)
 {
   return {protect ? "isotropic_remeshing, protected" : "isotropic_remeshing",
           [protect](const Mesh& input, std::size_t number_of_vertices) -> Run {
-            const double length = benchmark::tuned(benchmark::uniform_edge_length(input, number_of_vertices), .5, number_of_vertices,
-                                                   [&](double value) { return isotropic(input, value, protect); });
+            const double length =
+                benchmark::tuned(benchmark::uniform_edge_length(input, number_of_vertices), .5, number_of_vertices,
+                                 [&](double value) { return isotropic(input, value, protect); });
             return [&input, length, protect] { return isotropic(input, length, protect); };
           }};
 }
@@ -152,16 +160,15 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const benchmark::Options options =
-        benchmark::read_options(argc, argv,
-                                {{"fandisk", 3238},
-                                 {"anchor_dense", 1897},
-                                 {"couplingdown", 7364},
-                                 {"joint_refined", 5000},
-                                 {"rotor", 5000},
-                                 {"nefertiti", 3000},
-                                 {"lion-head", 5000},
-                                 {"mannequin-devil", 5000}});
+    const benchmark::Options options = benchmark::read_options(argc, argv,
+                                                               {{"fandisk", 3238},
+                                                                {"anchor_dense", 1897},
+                                                                {"couplingdown", 7364},
+                                                                {"joint_refined", 5000},
+                                                                {"rotor", 5000},
+                                                                {"nefertiti", 3000},
+                                                                {"lion-head", 5000},
+                                                                {"mannequin-devil", 5000}});
     const std::vector<Remesher> remeshers = {geodesic(false), geodesic(true), isotropic(false), isotropic(true)};
     std::ostringstream table;
     write_head(table);

@@ -61,7 +61,8 @@ inline Remesher geodesic_remesher_fitted()
   return {"geodesic_remeshing, fitted", [](const Mesh& input, std::size_t number_of_vertices) -> Run {
             return [&input, number_of_vertices] {
               Mesh output;
-              CGAL::geodesic_remeshing(input, number_of_vertices, output, CGAL::Geodesic_remeshing::parameters::do_project(false));
+              CGAL::geodesic_remeshing(input, number_of_vertices, output,
+                                       CGAL::Geodesic_remeshing::parameters::do_project(false));
               return output;
             };
           }};
@@ -103,7 +104,8 @@ double tuned(double value, double exponent, std::size_t number_of_vertices, cons
 // The length of the edges of so many equilateral triangles of the same area
 inline double uniform_edge_length(const Mesh& input, std::size_t number_of_vertices)
 {
-  return std::sqrt(CGAL::Polygon_mesh_processing::area(input) / static_cast<double>(number_of_vertices) * 2. / std::sqrt(3.));
+  return std::sqrt(CGAL::Polygon_mesh_processing::area(input) / static_cast<double>(number_of_vertices) * 2. /
+                   std::sqrt(3.));
 }
 
 inline Remesher isotropic_remesher(unsigned int iterations)
@@ -122,7 +124,8 @@ inline Remesher geodesic_remesher_by_curvature(double contrast)
           [contrast](const Mesh& input, std::size_t number_of_vertices) -> Run {
             return [&input, number_of_vertices, contrast] {
               namespace parameters = CGAL::Geodesic_remeshing::parameters;
-              const CGAL::Geodesic_remeshing::Curvature_sizing_field<Mesh> sizing(input, parameters::contrast(contrast));
+              const CGAL::Geodesic_remeshing::Curvature_sizing_field<Mesh> sizing(input,
+                                                                                  parameters::contrast(contrast));
               Mesh output;
               CGAL::geodesic_remeshing(input, number_of_vertices, output, parameters::sizing_field(sizing));
               return output;

@@ -41,15 +41,14 @@ int main(int argc, char* argv[])
 {
   try
   {
-    const benchmark::Options options =
-        benchmark::read_options(argc, argv,
-                                {{"bear", 10000},
-                                 {"dino", 11850},
-                                 {"camel", 23656},
-                                 {"eight", 5000},
-                                 {"elephant", 5000},
-                                 {"homer", 5000},
-                                 {"armadillo", 20000}});
+    const benchmark::Options options = benchmark::read_options(argc, argv,
+                                                               {{"bear", 10000},
+                                                                {"dino", 11850},
+                                                                {"camel", 23656},
+                                                                {"eight", 5000},
+                                                                {"elephant", 5000},
+                                                                {"homer", 5000},
+                                                                {"armadillo", 20000}});
     std::vector<Result> results;
     for(const benchmark::Task& task : options.tasks)
       for(Result& result : benchmark::measure(task, benchmark::all_remeshers(), options))

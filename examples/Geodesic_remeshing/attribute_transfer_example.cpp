@@ -44,7 +44,8 @@ int main(int argc, char* argv[])
   // remesh with the border between the parts kept, and remember where each new vertex lies on the old mesh
   Mesh out;
   auto location = out.add_property_map<Vertex, Location>("v:location").first;
-  CGAL::geodesic_remeshing(mesh, 5000, out, parameters::face_patch_map(part), parameters::vertex_location_map(location));
+  CGAL::geodesic_remeshing(mesh, 5000, out, parameters::face_patch_map(part),
+                           parameters::vertex_location_map(location));
 
   GR::transfer_vertex_property(mesh, colour, out, location,
                                out.add_property_map<Vertex, CGAL::IO::Color>("v:color").first);

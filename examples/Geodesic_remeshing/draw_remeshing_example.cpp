@@ -27,8 +27,10 @@ int main(int argc, char* argv[])
   auto region = out.add_property_map<Mesh::Face_index, int>("f:region", 0).first;
   CGAL::geodesic_remeshing(mesh, 3000, out, parameters::default_values(), parameters::face_region_map(region));
 
-  const std::array<CGAL::IO::Color, 6> colors = {{{141, 211, 199}, {255, 255, 179}, {190, 186, 218}, {251, 128, 114}, {128, 177, 211}, {253, 180, 98}}};
-  auto color = out.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first; // the viewer looks for this name
+  const std::array<CGAL::IO::Color, 6> colors = {
+      {{141, 211, 199}, {255, 255, 179}, {190, 186, 218}, {251, 128, 114}, {128, 177, 211}, {253, 180, 98}}};
+  auto color =
+      out.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first; // the viewer looks for this name
   for(const auto f : out.faces())
     color[f] = colors[static_cast<std::size_t>(region[f]) % colors.size()];
   CGAL::draw(mesh, "input");

@@ -109,8 +109,9 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
   const Job job{input.mesh, options, transfer, output, stages};
   if(!options.contrast && options.sizing.empty())
     return job.remesh_with_features(np);
-  const Sizing sizing = options.contrast ? sizing_by_curvature(input.mesh, options)
-                                         : command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file);
+  const Sizing sizing = options.contrast
+                            ? sizing_by_curvature(input.mesh, options)
+                            : command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file);
   return job.remesh_with_features(np.sizing_field(sizing)
                                       .gradation(options.limits.gradation)
                                       .minimum_length(options.limits.minimum_length)
@@ -184,9 +185,8 @@ void run(const Options& options)
   report.seconds = timer.time();
   transfer.run();
 
-  files.write(options.output, [&](std::ostream& out) {
-    transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output);
-  });
+  files.write(options.output,
+              [&](std::ostream& out) { transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output); });
   files.write(options.regions, [&](std::ostream& out) { command_line::write_regions(out, stages); });
   files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });
   measure(report, input.mesh, output, options);

@@ -31,8 +31,8 @@ int main(int argc, char* argv[])
   const char* const kinds[] = {"leaf", "interior", "root"};
   for(std::size_t r = 0; r < tree.size(); ++r)
   {
-    std::cout << "region " << r << " (" << kinds[static_cast<int>(tree[r].kind)] << "): height " << tree[r].height << ", "
-              << number_of_faces[r] << " faces";
+    std::cout << "region " << r << " (" << kinds[static_cast<int>(tree[r].kind)] << "): height " << tree[r].height
+              << ", " << number_of_faces[r] << " faces";
     for(std::size_t parent : tree[r].parents)
       std::cout << ", child of " << parent;
     std::cout << "\n";

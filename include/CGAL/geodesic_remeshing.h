@@ -248,7 +248,8 @@ template <class TriangleMesh, class Target, class OutputMesh,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!Geodesic_remeshing::internal::is_named_parameters<OutputMesh>::value, int> = 0
+          ,
+          std::enable_if_t<!Geodesic_remeshing::internal::is_named_parameters<OutputMesh>::value, int> = 0
 #endif
           >
 Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const Target& target, OutputMesh& out,
@@ -256,7 +257,8 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
                                                const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace Geodesic_remeshing::internal;
-  static_assert(!std::is_const<OutputMesh>::value, "geodesic_remeshing: a mesh to be filled or replaced cannot be const");
+  static_assert(!std::is_const<OutputMesh>::value,
+                "geodesic_remeshing: a mesh to be filled or replaced cannot be const");
   check_parameters<NamedParametersIn, Parameters_of_input<NamedParametersOut>>();
   check_parameters<NamedParametersOut, Parameters_of_output>();
   const auto options = unpack_options(np_in);
@@ -273,8 +275,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("sizing", .03);
   const std::vector<double> wishes = wished_lengths(tmesh, input.vertex_of, np_in);
-  const Goal goal = options.do_project || !wishes.empty() ? set_goal(target, wishes, sizing_limits_of(np_in), input.mesh)
-                                                          : set_goal_of_fit(target, input.mesh);
+  const Goal goal = options.do_project || !wishes.empty()
+                        ? set_goal(target, wishes, sizing_limits_of(np_in), input.mesh)
+                        : set_goal_of_fit(target, input.mesh);
   check_scale(goal.mean_edge_length);
   check_thinness(surface, goal.mean_edge_length, goal.number_of_vertices);
   const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
@@ -286,12 +289,14 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Vertex_budget budget = make_budget(target, working, goal.number_of_vertices, lines, constraints);
   const std::size_t n = budget.number_of_vertices;
   const double edge_length = budget.edge_length;
-  const double curve_distance = std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
+  const double curve_distance =
+      std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
 
   std::vector<char> is_corner = constraints.is_corner;
   is_corner.resize(working.mesh.number_of_vertices(), 0);
   Working_surface cut;
-  const bool wants_regions = is_given<NamedParametersOut, Geodesic_remeshing::internal_np::face_region_map_t>; // found out at the end
+  const bool wants_regions =
+      is_given<NamedParametersOut, Geodesic_remeshing::internal_np::face_region_map_t>; // found out at the end
   const Working_surface& pieces = cut_along_lines(working, is_corner, cut, wants_regions);
 
   clock.stage("distances", .1);
@@ -304,7 +309,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("regions", .2);
   const Segmentation segmentation =
-    segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
+      segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
   keep_regions(pieces.mesh, segmentation, kept);
 
   clock.stage("curves", .3);
@@ -319,7 +324,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   marching_memory.reset(); // the largest of what the stages make, and needed no more
   triangulation.reset();
   const std::vector<Sample> samples =
-    sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots, budget.curve_edge_length, n);
+      sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots, budget.curve_edge_length, n);
   keep_samples(samples, kept);
 
   clock.stage("strips", .45);
@@ -341,9 +346,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   if(!options.do_project)
   {
     clock.stage("fitting", end_of_improvement);
-    const Fit_result fit =
-      fit_surface(surface, constraints, edge_length, remeshed, [&](double done)
-                  { return goes_on = goes_on && clock.go_on(end_of_improvement + (.95 - end_of_improvement) * done); });
+    const Fit_result fit = fit_surface(surface, constraints, edge_length, remeshed, [&](double done) {
+      return goes_on = goes_on && clock.go_on(end_of_improvement + (.95 - end_of_improvement) * done);
+    });
     if(!goes_on)
       clock.give_up();
     summary.rms_distance = fit.root_mean_square;
@@ -375,13 +380,15 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
  */
 template <class TriangleMesh, class Target, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<Geodesic_remeshing::internal::is_named_parameters<NamedParameters>::value, int> = 0
+          ,
+          std::enable_if_t<Geodesic_remeshing::internal::is_named_parameters<NamedParameters>::value, int> = 0
 #endif
           >
 Geodesic_remeshing::Summary geodesic_remeshing(TriangleMesh& tmesh, const Target& target,
                                                const NamedParameters& np = parameters::default_values())
 {
-  return geodesic_remeshing(tmesh, target, tmesh, np, Geodesic_remeshing::internal::of_output_in_place<TriangleMesh>(np));
+  return geodesic_remeshing(tmesh, target, tmesh, np,
+                            Geodesic_remeshing::internal::of_output_in_place<TriangleMesh>(np));
 }
 
 } // namespace CGAL

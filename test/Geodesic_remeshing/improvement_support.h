@@ -57,7 +57,8 @@ Mesh grid(const std::size_t columns, const std::size_t rows, const bool close_i,
     return Vertex(static_cast<Index>(j % n * m + i % m));
   };
   for(std::size_t j = 0; j < rows; ++j)
-    for(std::size_t i = 0; i < columns; ++i) {
+    for(std::size_t i = 0; i < columns; ++i)
+    {
       mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
       mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
@@ -84,17 +85,20 @@ inline Mesh sphere(const std::size_t n)
   Mesh mesh;
   std::vector<std::array<Vertex, 3>> faces;
   std::array<Vertex, 6> v;
-  for(int i = 0; i < 6; ++i) {
+  for(int i = 0; i < 6; ++i)
+  {
     std::array<double, 3> p = {{0., 0., 0.}};
     p[i % 3] = i < 3 ? 1. : -1.;
     v[i] = mesh.add_vertex(Point(p[0], p[1], p[2]));
   }
-  for(int i = 0; i < 8; ++i) {
+  for(int i = 0; i < 8; ++i)
+  {
     const int x = i & 1 ? 3 : 0, y = i & 2 ? 4 : 1, z = i & 4 ? 5 : 2;
     const bool is_even = ((i & 1) + ((i >> 1) & 1) + ((i >> 2) & 1)) % 2 == 0;
     mesh.add_face(v[x], v[is_even ? y : z], v[is_even ? z : y]);
   }
-  for(std::size_t k = 1; k < n; k *= 2) {
+  for(std::size_t k = 1; k < n; k *= 2)
+  {
     Mesh finer;
     std::vector<Vertex> middle(mesh.number_of_edges());
     const auto on_sphere = [](const Point& p) {
@@ -103,9 +107,10 @@ inline Mesh sphere(const std::size_t n)
     for(const Vertex w : mesh.vertices())
       finer.add_vertex(mesh.point(w));
     for(const Edge e : mesh.edges())
-      middle[e] = finer.add_vertex(on_sphere(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)),
-                                                            mesh.point(mesh.vertex(e, 1)))));
-    for(const Face f : mesh.faces()) {
+      middle[e] =
+          finer.add_vertex(on_sphere(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+    for(const Face f : mesh.faces())
+    {
       const Halfedge h = mesh.halfedge(f);
       const auto p = vertices_of(mesh, f);
       const Vertex a = middle[mesh.edge(h)], b = middle[mesh.edge(mesh.next(h))], c = middle[mesh.edge(mesh.prev(h))];
@@ -153,12 +158,15 @@ inline Constraints constraints_of(const Mesh& surface)
   Constraints constraints{std::vector<char>(surface.number_of_edges(), 0),
                           std::vector<char>(surface.number_of_vertices(), 0)};
   for(const Edge e : surface.edges())
-    constraints.is_line[e] = surface.is_border(e) || normal(surface.face(surface.halfedge(e, 0))) *
-                                                     normal(surface.face(surface.halfedge(e, 1))) < .766;
-  for(const Vertex v : surface.vertices()) {
+    constraints.is_line[e] =
+        surface.is_border(e) ||
+        normal(surface.face(surface.halfedge(e, 0))) * normal(surface.face(surface.halfedge(e, 1))) < .766;
+  for(const Vertex v : surface.vertices())
+  {
     std::vector<Vector> ways;
     for(const Halfedge h : surface.halfedges_around_target(surface.halfedge(v)))
-      if(constraints.is_line[surface.edge(h)]) {
+      if(constraints.is_line[surface.edge(h)])
+      {
         const Vector way = surface.point(surface.source(h)) - surface.point(v);
         ways.push_back(way / std::sqrt(way.squared_length()));
       }
@@ -173,30 +181,33 @@ inline void spoil(const Mesh& surface, const double shift, Start& start, const C
   const Surface_walker walker(surface, constraints);
   const Line_walker lines(walker, constraints);
   Random_numbers random;
-  for(const Vertex v : surface.vertices()) {
+  for(const Vertex v : surface.vertices())
+  {
     const Vector way(random(-shift, shift), random(-shift, shift), random(-shift, shift));
     const Vertex w = start.mesh.add_vertex(surface.point(v));
     start.place[w] = place_of_vertex(surface, v);
     start.pinned[w] = !constraints.is_corner.empty() && constraints.is_corner[v];
     if(!start.pinned[w])
-      start.place[w] = walker.triangulation().is_on_line(v) ? lines.slide(start.place[w], way)
-                                                            : walker.walk(start.place[w], way);
+      start.place[w] =
+          walker.triangulation().is_on_line(v) ? lines.slide(start.place[w], way) : walker.walk(start.place[w], way);
     start.mesh.point(w) = walker.point(start.place[w]);
   }
-  for(const Face f : surface.faces()) {
+  for(const Face f : surface.faces())
+  {
     const auto v = vertices_of(surface, f);
     start.mesh.add_face(v[0], v[1], v[2]);
   }
   if(!constraints.is_line.empty())
     for(const Edge e : start.mesh.edges())
       start.constrained[e] =
-        constraints.is_line[surface.edge(surface.halfedge(start.mesh.vertex(e, 0), start.mesh.vertex(e, 1)))];
+          constraints.is_line[surface.edge(surface.halfedge(start.mesh.vertex(e, 0), start.mesh.vertex(e, 1)))];
 }
 
 inline Improvement_parameters parameters_for(const Mesh& surface, const std::size_t number_of_vertices)
 {
   double area = 0.;
-  for(const Face f : surface.faces()) {
+  for(const Face f : surface.faces())
+  {
     const auto v = vertices_of(surface, f);
     area += std::sqrt(CGAL::squared_area(surface.point(v[0]), surface.point(v[1]), surface.point(v[2])));
   }
@@ -247,7 +258,8 @@ inline void expect_valid(const Mesh& surface, const Start& start)
   EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
   EXPECT_EQ(euler_characteristic(mesh), euler_characteristic(surface));
   EXPECT_EQ(CGAL::is_closed(mesh), CGAL::is_closed(surface));
-  for(const Vertex v : mesh.vertices()) {
+  for(const Vertex v : mesh.vertices())
+  {
     const auto& c = start.place[v].coordinates;
     EXPECT_GE((std::min)({c[0], c[1], c[2]}), 0.);
     EXPECT_NEAR(c[0] + c[1] + c[2], 1., 1e-12);
@@ -264,7 +276,8 @@ inline void expect_valid(const Mesh& surface, const Start& start)
 inline void expect_no_turned_faces(const Mesh& surface, const Start& start)
 {
   const Surface_walker walker(surface);
-  for(const Face f : start.mesh.faces()) {
+  for(const Face f : start.mesh.faces())
+  {
     const auto v = vertices_of(start.mesh, f);
     const Vector normal = CGAL::normal(start.mesh.point(v[0]), start.mesh.point(v[1]), start.mesh.point(v[2]));
     Vector sum(0., 0., 0.);

@@ -198,8 +198,7 @@ struct Block
 // and at integer coordinates: many vertices have the same distance from anywhere.
 inline Mesh blocks(const std::vector<Block>& boxes)
 {
-  const auto is_inside = [&](const std::array<int, 3>& c)
-  {
+  const auto is_inside = [&](const std::array<int, 3>& c) {
     for(const Block& b : boxes)
       if(b.low[0] <= c[0] && c[0] < b.high[0] && b.low[1] <= c[1] && c[1] < b.high[1] && b.low[2] <= c[2] &&
          c[2] < b.high[2])
@@ -214,8 +213,7 @@ inline Mesh blocks(const std::vector<Block>& boxes)
           cubes[{{x, y, z}}] = true;
   Mesh mesh;
   std::map<std::array<int, 3>, Vertex> corner;
-  const auto vertex = [&](const std::array<int, 3>& p)
-  {
+  const auto vertex = [&](const std::array<int, 3>& p) {
     const auto found = corner.find(p);
     return found != corner.end() ? found->second : corner[p] = mesh.add_vertex(Point(p[0], p[1], p[2]));
   };
@@ -322,7 +320,10 @@ inline Mesh disc(unsigned rings, double radius = 1.)
   return mesh;
 }
 
-inline Mesh box(int x, int y, int z) { return blocks({Block{{{0, 0, 0}}, {{x, y, z}}}}); }
+inline Mesh box(int x, int y, int z)
+{
+  return blocks({Block{{{0, 0, 0}}, {{x, y, z}}}});
+}
 
 // Tubes of this width from one middle along -x, +x, -y, +y, -z, +z: as many as there are lengths (two at least)
 inline Mesh branching_tubes(const std::vector<int>& lengths, int width = 4)
@@ -344,9 +345,9 @@ inline Mesh branching_tubes(const std::vector<int>& lengths, int width = 4)
 // A trunk along z with arms that go out and then up
 inline Mesh cactus_blocks()
 {
-  return blocks({Block{{{0, 0, 0}}, {{4, 4, 40}}},
-                 Block{{{-8, 0, 12}}, {{0, 4, 16}}}, Block{{{-8, 0, 16}}, {{-4, 4, 28}}},
-                 Block{{{4, 0, 18}}, {{14, 4, 22}}}, Block{{{10, 0, 22}}, {{14, 4, 30}}}});
+  return blocks({Block{{{0, 0, 0}}, {{4, 4, 40}}}, Block{{{-8, 0, 12}}, {{0, 4, 16}}},
+                 Block{{{-8, 0, 16}}, {{-4, 4, 28}}}, Block{{{4, 0, 18}}, {{14, 4, 22}}},
+                 Block{{{10, 0, 22}}, {{14, 4, 30}}}});
 }
 
 // A chain of tori: a plate with as many square holes

@@ -82,13 +82,20 @@ inline Mesh random_base(Random& random)
 {
   switch(random.below(7))
   {
-  case 0: return made::sphere(static_cast<int>(1 + random.below(4)));
-  case 1: return made::torus(random.between(1.1, 6.), 1., static_cast<unsigned>(3 + random.below(40)), static_cast<unsigned>(3 + random.below(20)));
-  case 2: return made::cylinder(1., random.between(.01, 30.), static_cast<unsigned>(3 + random.below(20)), static_cast<unsigned>(1 + random.below(20)),
-                                random.chance(.5));
-  case 3: return made::spiky_sphere(3, random.between(.2, 6.), random.between(.1, .6));
-  case 4: return made::plane(static_cast<unsigned>(1 + random.below(12)));
-  default: return random_blocks(random);
+  case 0:
+    return made::sphere(static_cast<int>(1 + random.below(4)));
+  case 1:
+    return made::torus(random.between(1.1, 6.), 1., static_cast<unsigned>(3 + random.below(40)),
+                       static_cast<unsigned>(3 + random.below(20)));
+  case 2:
+    return made::cylinder(1., random.between(.01, 30.), static_cast<unsigned>(3 + random.below(20)),
+                          static_cast<unsigned>(1 + random.below(20)), random.chance(.5));
+  case 3:
+    return made::spiky_sphere(3, random.between(.2, 6.), random.between(.1, .6));
+  case 4:
+    return made::plane(static_cast<unsigned>(1 + random.below(12)));
+  default:
+    return random_blocks(random);
   }
 }
 
@@ -112,7 +119,8 @@ inline void spoil_faces(Random& random, Mesh& mesh)
   {
     const Face f(static_cast<Mesh::size_type>(random.below(mesh.num_faces())));
     const Halfedge h = mesh.halfedge(f);
-    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+                r = mesh.point(mesh.target(mesh.next(h)));
     const Halfedge n = CGAL::Euler::add_center_vertex(h, mesh);
     const double off = random.chance(.5) ? 0. : std::pow(10., -random.between(3., 14.));
     mesh.point(mesh.target(n)) = CGAL::barycenter(p, random.chance(.3) ? 0. : .5, q, .5, r, off);
@@ -124,8 +132,10 @@ inline void move_points(Random& random, Mesh& mesh)
   double sum = 0.;
   for(auto e : mesh.edges())
     sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  const double noise = random.chance(.3) ? random.between(0., .4) * sum / static_cast<double>(mesh.number_of_edges()) : 0.;
-  const double stretch[] = {1., std::pow(10., random.chance(.3) ? random.between(-2., 2.) : 0.), std::pow(10., random.chance(.2) ? random.between(-3., 1.) : 0.)};
+  const double noise =
+      random.chance(.3) ? random.between(0., .4) * sum / static_cast<double>(mesh.number_of_edges()) : 0.;
+  const double stretch[] = {1., std::pow(10., random.chance(.3) ? random.between(-2., 2.) : 0.),
+                            std::pow(10., random.chance(.2) ? random.between(-3., 1.) : 0.)};
   const double scale = random.chance(.2) ? std::pow(10., random.between(-12., 12.)) : 1.;
   const double offset = random.chance(.1) ? 1e6 : 0.;
   for(Vertex v : mesh.vertices())

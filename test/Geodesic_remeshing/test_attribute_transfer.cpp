@@ -52,7 +52,10 @@ struct Attribute_transfer : testing::Test
   }
 };
 
-double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point& p, const Point& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 } // namespace
 
@@ -91,9 +94,8 @@ TEST_F(Attribute_transfer, linear_functions_are_exact)
 TEST_F(Attribute_transfer, colours_are_mixed_and_labels_are_not)
 {
   remesh(gp::number_of_iterations(3));
-  const auto colours = vertex_values<CGAL::IO::Color>([](const Point& p) {
-    return CGAL::IO::Color(static_cast<unsigned char>(100. + 60. * p.x()), 10, 20, 255);
-  });
+  const auto colours = vertex_values<CGAL::IO::Color>(
+      [](const Point& p) { return CGAL::IO::Color(static_cast<unsigned char>(100. + 60. * p.x()), 10, 20, 255); });
   const auto labels = vertex_values<int>([](const Point& p) { return p.x() > 0. ? 7 : 1000; });
   std::size_t near_border = 0;
   for(Vertex v : output.vertices())
@@ -116,7 +118,8 @@ TEST_F(Attribute_transfer, patches_keep_their_border)
   auto patch = input.add_property_map<Face, int>("f:patch").first;
   const auto side = [](const Mesh& mesh, Face f) {
     const auto h = mesh.halfedge(f);
-    return CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))).z() > 0.;
+    return CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
+               .z() > 0.;
   };
   for(Face f : input.faces())
     patch[f] = side(input, f) ? 5 : 9;
@@ -133,7 +136,10 @@ TEST_F(Attribute_transfer, seams_stay_sharp)
   using Uv = std::array<double, 2>;
   auto uv = input.add_property_map<Halfedge, Uv>("h:uv", Uv()).first;
   auto seam = input.add_property_map<Edge, bool>("e:seam", false).first;
-  const auto turn = [](double y, double x) { const double t = std::atan2(y, x) / (2. * CGAL_PI); return t < -1e-9 ? t + 1. : t; };
+  const auto turn = [](double y, double x) {
+    const double t = std::atan2(y, x) / (2. * CGAL_PI);
+    return t < -1e-9 ? t + 1. : t;
+  };
   const auto coordinates = [&](const Point& p) {
     return Uv{{turn(p.y(), p.x()), turn(p.z(), std::hypot(p.x(), p.y()) - 1.)}};
   };
@@ -144,7 +150,8 @@ TEST_F(Attribute_transfer, seams_stay_sharp)
   };
   const auto centre_of = [](const Mesh& mesh, Face f) {
     const auto h = mesh.halfedge(f);
-    return CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    return CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                          mesh.point(mesh.target(mesh.next(h))));
   };
   for(Face f : input.faces())
     for(Halfedge h : input.halfedges_around_face(input.halfedge(f)))

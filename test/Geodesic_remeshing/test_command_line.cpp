@@ -290,7 +290,8 @@ TEST_F(Command_line, wrong_sizing_options)
 
 TEST_F(Command_line, sizing_by_curvature)
 {
-  const std::string usual = mesh("eight") + " " + output() + " --vertices 1000 --report " + output("r.json") + " --contrast 0.6";
+  const std::string usual =
+      mesh("eight") + " " + output() + " --vertices 1000 --report " + output("r.json") + " --contrast 0.6";
   EXPECT_EQ(run(usual).status, 0);
   EXPECT_EQ(vertices_and_faces_of_off(output())[0], 1000u);
   const std::string first = contents(output());
@@ -341,11 +342,12 @@ TEST_F(Command_line, sizing_from_a_file)
 // A tetrahedron: as PLY with a number and a colour at each vertex and a label at each face
 TEST_F(Command_line, properties_of_a_ply_arrive)
 {
-  const std::string ply = file("t.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
-                                        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float heat\n"
-                                        "element face 4\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n"
-                                        "0 0 0 9 9 9 0.5\n1 0 0 9 9 9 0.5\n0 1 0 9 9 9 0.5\n0 0 1 9 9 9 0.5\n"
-                                        "3 0 2 1 77\n3 0 1 3 77\n3 1 2 3 77\n3 2 0 3 77\n");
+  const std::string ply =
+      file("t.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+                    "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float heat\n"
+                    "element face 4\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n"
+                    "0 0 0 9 9 9 0.5\n1 0 0 9 9 9 0.5\n0 1 0 9 9 9 0.5\n0 0 1 9 9 9 0.5\n"
+                    "3 0 2 1 77\n3 0 1 3 77\n3 1 2 3 77\n3 2 0 3 77\n");
   ASSERT_EQ(run(ply + " " + output("o.ply") + " --vertices 50 --quiet --transfer").status, 0);
   const std::string text = contents(output("o.ply"));
   const std::size_t body = text.find("end_header\n") + std::strlen("end_header\n");
@@ -373,7 +375,8 @@ TEST_F(Command_line, texture_coordinates_of_an_obj_arrive_with_their_seams)
     for(const char* corner : {" 0\n", ".25 0\n", ".5 1\n"})
       obj += "vt " + std::to_string(face) + corner;
   const std::string start = file("t.obj", obj + "f 1/1 3/2 2/3\nf 1/4 2/5 4/6\nf 2/7 3/8 4/9\nf 3/10 1/11 4/12\n");
-  ASSERT_EQ(run(start + " " + output("o.obj") + " --vertices 200 --transfer --check --report " + output("r.json")).status, 0);
+  ASSERT_EQ(
+      run(start + " " + output("o.obj") + " --vertices 200 --transfer --check --report " + output("r.json")).status, 0);
   EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["check"]["valid"], true);
   std::ifstream in(output("o.obj"));
   std::vector<double> u;
@@ -460,7 +463,8 @@ TEST_F(Command_line, input_that_is_not_triangulated)
 
 TEST_F(Command_line, input_with_a_boundary)
 {
-  const std::string open = file("open.off", std::string("OFF\n4 3 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n");
+  const std::string open =
+      file("open.off", std::string("OFF\n4 3 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n");
   EXPECT_EQ(run(open + " " + output() + " --vertices 200 --check --report " + output("r.json")).status, 0);
   const auto report = nlohmann::json::parse(contents(output("r.json")));
   EXPECT_EQ(report["input"]["boundary_loops"], 1);
@@ -490,7 +494,8 @@ TEST_F(Command_line, fitted_mesh_is_nearer_and_said_to_be_fitted)
   double rms[2];
   for(const bool fit : {false, true})
   {
-    const Outcome outcome = run(input + " " + output() + " --vertices 500 --check --report " + output("r.json") + (fit ? " --fit" : ""));
+    const Outcome outcome =
+        run(input + " " + output() + " --vertices 500 --check --report " + output("r.json") + (fit ? " --fit" : ""));
     ASSERT_EQ(outcome.status, 0);
     const auto report = nlohmann::json::parse(contents(output("r.json")));
     EXPECT_EQ(report["fitted"], fit);
@@ -505,7 +510,8 @@ TEST_F(Command_line, fitted_mesh_is_nearer_and_said_to_be_fitted)
 TEST_F(Command_line, features_are_kept)
 {
   const std::string cube = mesh("cube");
-  EXPECT_EQ(run(cube + " " + output() + " --vertices 500 --feature-angle 60 --check --report " + output("r.json")).status, 0);
+  EXPECT_EQ(
+      run(cube + " " + output() + " --vertices 500 --feature-angle 60 --check --report " + output("r.json")).status, 0);
   const auto report = nlohmann::json::parse(contents(output("r.json")));
   EXPECT_EQ(report["output"]["vertices"], 500);
   EXPECT_LT(report["output"]["hausdorff_percent"], 1e-6); // with all edges kept the surface is the same
@@ -554,14 +560,16 @@ TEST_F(Command_line, input_that_is_no_mesh_is_repaired_or_refused)
   expect_repair(file("twice.off", std::string("OFF\n4 5 0\n") + tetrahedron_points +
                                       "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 2 0 3\n"),
                 "faces", "dropped 1 duplicate faces");
-  const std::string index = file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n");
+  const std::string index =
+      file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n");
   expect_bad_input(index, "index.off");
 }
 
 TEST_F(Command_line, faces_with_points_of_their_own_are_joined)
 {
-  const std::string soup = file("soup.off", "OFF\n12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n"
-                                            "0 1 0\n0 0 0\n0 0 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n");
+  const std::string soup =
+      file("soup.off", "OFF\n12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n"
+                       "0 1 0\n0 0 0\n0 0 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n");
   const Outcome outcome = run(soup + " " + output() + " --vertices 100 --report " + output("r.json"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("merged 8 duplicate points"), std::string::npos) << outcome.out;
@@ -606,17 +614,20 @@ TEST_F(Command_line, output_of_before_survives_a_failure)
 // Two halves of a box, a little apart: nothing but --stitch joins them
 TEST_F(Command_line, boundaries_are_stitched_within_a_tolerance)
 {
-  const std::string halves = file("halves.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 .01\n1 0 .01\n1 1 .01\n0.5 .5 1\n"
-                                                "3 0 2 1\n3 0 3 2\n3 4 5 7\n3 5 6 7\n3 6 2 7\n3 2 3 7\n3 3 4 7\n3 2 6 1\n");
+  const std::string halves =
+      file("halves.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 .01\n1 0 .01\n1 1 .01\n0.5 .5 1\n"
+                         "3 0 2 1\n3 0 3 2\n3 4 5 7\n3 5 6 7\n3 6 2 7\n3 2 3 7\n3 3 4 7\n3 2 6 1\n");
   const auto loops = [&](const std::string& options) {
-    const Outcome outcome = run(halves + " " + output() + " --vertices 100 --check --report " + output("r.json") + options);
+    const Outcome outcome =
+        run(halves + " " + output() + " --vertices 100 --check --report " + output("r.json") + options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return nlohmann::json::parse(contents(output("r.json")))["output"]["boundary_loops"].get<int>();
   };
   EXPECT_GT(loops(""), 0);
   EXPECT_GT(loops(" --stitch 0.009"), 0);
   EXPECT_EQ(loops(" --stitch 0.011"), 0);
-  EXPECT_NE(run(halves + " " + output() + " --vertices 100 --stitch 0.011").out.find("stitched 2 vertices"), std::string::npos);
+  EXPECT_NE(run(halves + " " + output() + " --vertices 100 --stitch 0.011").out.find("stitched 2 vertices"),
+            std::string::npos);
   for(const char* wrong : {" --stitch 0", " --stitch -1", " --stitch nan", " --stitch 1 --no-repair"})
     EXPECT_EQ(run(halves + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
 }
@@ -636,12 +647,14 @@ TEST_F(Command_line, damaged_files)
     for(const std::size_t at : {0, 5, 10, 83})
       (damaged.emplace_back(bytes), damaged.back()[at] ^= 4);
     for(const double part : {.25, .5, .75, .95})
-      (damaged.emplace_back(bytes), damaged.back()[static_cast<std::size_t>(part * static_cast<double>(bytes.size()))] ^= 64);
+      (damaged.emplace_back(bytes),
+       damaged.back()[static_cast<std::size_t>(part * static_cast<double>(bytes.size()))] ^= 64);
     for(std::size_t i = 0; i < damaged.size(); ++i)
     {
       const std::string name = file("damaged." + ending, damaged[i]);
       const Outcome outcome = run("'" + name + "' '" + output() + "' --vertices 60 --quiet");
-      EXPECT_TRUE(outcome.status == 0 || outcome.status == 2 || outcome.status == 3) << name << " " << i << ": " << outcome.status << outcome.err;
+      EXPECT_TRUE(outcome.status == 0 || outcome.status == 2 || outcome.status == 3)
+          << name << " " << i << ": " << outcome.status << outcome.err;
       EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), outcome.status == 0 ? 0 : 1) << outcome.err;
       EXPECT_EQ(fs::is_empty(folder / "written"), outcome.status != 0) << name << " " << i;
       fs::remove(output());
@@ -663,10 +676,12 @@ TEST_F(Command_line, output_that_does_not_fit)
 {
   const std::string kept = (folder / "written" / "kept.off").string();
   std::ofstream(kept) << "something";
-  const std::string command = std::string("ulimit -f 1; '") + GEODESIC_REMESH_PROGRAM + "' " + mesh("eight") + " '" + kept +
-                              "' --vertices 5000 --iterations 0 --quiet 2>&1 | cat >'" + (folder / "stderr").string() + "'";
+  const std::string command = std::string("ulimit -f 1; '") + GEODESIC_REMESH_PROGRAM + "' " + mesh("eight") + " '" +
+                              kept + "' --vertices 5000 --iterations 0 --quiet 2>&1 | cat >'" +
+                              (folder / "stderr").string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0);
-  EXPECT_NE(contents(folder / "stderr").find("cannot be written: File too large"), std::string::npos) << contents(folder / "stderr");
+  EXPECT_NE(contents(folder / "stderr").find("cannot be written: File too large"), std::string::npos)
+      << contents(folder / "stderr");
   EXPECT_EQ(contents(kept), "something");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "written"), fs::directory_iterator()), 1);
 }
@@ -703,10 +718,13 @@ TEST_F(Command_line, interruption_leaves_nothing)
     if(child == 0)
     {
       ::signal(signal, SIG_DFL);
-      execl(GEODESIC_REMESH_PROGRAM, "geodesic_remesh", input.c_str(), target.c_str(), "--vertices", "300000", "--quiet", nullptr);
+      execl(GEODESIC_REMESH_PROGRAM, "geodesic_remesh", input.c_str(), target.c_str(), "--vertices", "300000",
+            "--quiet", nullptr);
       _exit(127);
     }
-    const auto files = [&] { return std::distance(fs::directory_iterator(folder / "written"), fs::directory_iterator()); };
+    const auto files = [&] {
+      return std::distance(fs::directory_iterator(folder / "written"), fs::directory_iterator());
+    };
     while(files() < 2 && waitpid(child, nullptr, WNOHANG) == 0)
       usleep(1000);
     EXPECT_EQ(files(), 2);

@@ -229,7 +229,8 @@ TEST(Equidistant_curves, made_surfaces_with_many_values)
     std::vector<double> values;
     for(int i = -40; i < 40; ++i)
       values.push_back(.5 * i);
-    expect_valid_curves(Traced(c.mesh, [](const Point& p) { return p.x() + .5 * p.z(); }, values));
+    expect_valid_curves(Traced(
+        c.mesh, [](const Point& p) { return p.x() + .5 * p.z(); }, values));
   }
 }
 

@@ -34,9 +34,9 @@ namespace {
 
 struct Memory
 {
-  long allocations = 0; // since the last start()
-  long blocks = 0;      // in use
-  long failing = -1;    // the number of the allocation that fails; -1: none
+  long allocations = 0;   // since the last start()
+  long blocks = 0;        // in use
+  long failing = -1;      // the number of the allocation that fails; -1: none
   bool stays_out = false; // all allocations after that one fail as well
 
   bool fails()
@@ -72,23 +72,56 @@ void give_back(void* block)
 
 } // namespace
 
-void* operator new(std::size_t size) { return take(size); }
-void* operator new[](std::size_t size) { return take(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return take_if_possible(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return take_if_possible(size); }
-void operator delete(void* block) noexcept { give_back(block); }
-void operator delete[](void* block) noexcept { give_back(block); }
-void operator delete(void* block, const std::nothrow_t&) noexcept { give_back(block); }
-void operator delete[](void* block, const std::nothrow_t&) noexcept { give_back(block); }
-void operator delete(void* block, std::size_t) noexcept { give_back(block); }
-void operator delete[](void* block, std::size_t) noexcept { give_back(block); }
+void* operator new(std::size_t size)
+{
+  return take(size);
+}
+void* operator new[](std::size_t size)
+{
+  return take(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return take_if_possible(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept
+{
+  return take_if_possible(size);
+}
+void operator delete(void* block) noexcept
+{
+  give_back(block);
+}
+void operator delete[](void* block) noexcept
+{
+  give_back(block);
+}
+void operator delete(void* block, const std::nothrow_t&) noexcept
+{
+  give_back(block);
+}
+void operator delete[](void* block, const std::nothrow_t&) noexcept
+{
+  give_back(block);
+}
+void operator delete(void* block, std::size_t) noexcept
+{
+  give_back(block);
+}
+void operator delete[](void* block, std::size_t) noexcept
+{
+  give_back(block);
+}
 
 // A `Surface_mesh` that runs out of memory while it adds a property map, or is copied, loses the array of that map: the array,
 // its name, its values; and so does an `AABB_tree` with the root of the `Kd_tree` that it makes. Where there is a sanitizer that
 // knows who lost what, nothing else may be lost; elsewhere nothing more.
 constexpr long lost_by_surface_mesh = 3;
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:CGAL::Properties::\nleak:CGAL::Kd_tree\n"; }
+extern "C" const char* __lsan_default_suppressions()
+{
+  return "leak:CGAL::Properties::\nleak:CGAL::Kd_tree\n";
+}
 
 namespace {
 
@@ -101,7 +134,8 @@ using made::Vertex;
 using Edge = Mesh::Edge_index;
 using Face = Mesh::Face_index;
 using Location = PMP::Face_location<Mesh, double>;
-using Polyhedron = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Polyhedron_items_with_id_3>;
+using Polyhedron =
+    CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Polyhedron_items_with_id_3>;
 
 // `most` places from the first allocation to the last one, evenly spread, and each of the last ones: there the output is written.
 std::vector<long> places_of_failure(long all, long most)
@@ -168,7 +202,8 @@ std::string description(const Mesh& mesh)
   std::ostringstream out;
   out.precision(17);
   out << mesh << mesh.has_garbage() << mesh.num_vertices() << " " << mesh.num_edges() << " " << mesh.num_faces();
-  for(const auto& names : {mesh.properties<Vertex>(), mesh.properties<Mesh::Halfedge_index>(), mesh.properties<Edge>(), mesh.properties<Face>()})
+  for(const auto& names : {mesh.properties<Vertex>(), mesh.properties<Mesh::Halfedge_index>(), mesh.properties<Edge>(),
+                           mesh.properties<Face>()})
     for(const std::string& name : names)
       out << " " << name;
   return out.str();
@@ -226,8 +261,7 @@ struct Used_output
 
 // Calls the visitor's functions, the last time with an exception
 struct Interrupted
-{
-};
+{};
 struct Throwing_visitor : GR::Default_visitor
 {
   int calls_left;
@@ -251,9 +285,9 @@ TEST(Out_of_memory, open_surface_with_features_patches_sizes_and_maps)
   const Open_box input;
   std::unique_ptr<Used_output> out;
   run_out_of_memory(
-    100, [&] { out = std::make_unique<Used_output>(); },
-    [&] { CGAL::geodesic_remeshing(input.mesh, 70, out->mesh, input.parameters(), out->parameters()); },
-    [&] { return out->state() + description(input.mesh); });
+      100, [&] { out = std::make_unique<Used_output>(); },
+      [&] { CGAL::geodesic_remeshing(input.mesh, 70, out->mesh, input.parameters(), out->parameters()); },
+      [&] { return out->state() + description(input.mesh); });
 }
 
 TEST(Out_of_memory, polyhedron_in_and_out)
@@ -262,16 +296,16 @@ TEST(Out_of_memory, polyhedron_in_and_out)
   CGAL::copy_face_graph(made::box(2, 2, 1), input);
   std::unique_ptr<Polyhedron> out;
   run_out_of_memory(
-    30, [&] { out = std::make_unique<Polyhedron>(), CGAL::copy_face_graph(made::octahedron(), *out); },
-    [&] { CGAL::geodesic_remeshing(input, 30, *out); }, [&] { return description(*out) + description(input); });
+      30, [&] { out = std::make_unique<Polyhedron>(), CGAL::copy_face_graph(made::octahedron(), *out); },
+      [&] { CGAL::geodesic_remeshing(input, 30, *out); }, [&] { return description(*out) + description(input); });
 }
 
 TEST(Out_of_memory, in_place)
 {
   std::unique_ptr<Open_box> box;
   run_out_of_memory(
-    30, [&] { box = std::make_unique<Open_box>(); }, [&] { CGAL::geodesic_remeshing(box->mesh, 70, box->parameters()); },
-    [&] { return description(box->mesh); });
+      30, [&] { box = std::make_unique<Open_box>(); },
+      [&] { CGAL::geodesic_remeshing(box->mesh, 70, box->parameters()); }, [&] { return description(box->mesh); });
 }
 
 TEST(Out_of_memory, functions_that_fill_a_map)
@@ -280,8 +314,7 @@ TEST(Out_of_memory, functions_that_fill_a_map)
   const Vertex source(0);
   auto distance = mesh.add_property_map<Vertex, double>("v:distance", -1.).first;
   auto region = mesh.add_property_map<Face, std::size_t>("f:region", 77).first;
-  const auto state = [&]
-  {
+  const auto state = [&] {
     std::string result = description(mesh);
     for(Vertex v : mesh.vertices())
       result += std::to_string(distance[v]) + " ";
@@ -289,16 +322,18 @@ TEST(Out_of_memory, functions_that_fill_a_map)
       result += std::to_string(region[f]) + " ";
     return result;
   };
-  const auto prepare = [&]
-  {
+  const auto prepare = [&] {
     for(Vertex v : mesh.vertices())
       distance[v] = -1.;
     for(Face f : mesh.faces())
       region[f] = 77;
   };
-  run_out_of_memory(60, prepare, [&] { GR::geodesic_distances(mesh, distance, source); }, state);
-  run_out_of_memory(60, prepare, [&] { GR::geodesic_diameter(mesh, gp::vertex_distance_map(distance)); }, state);
-  run_out_of_memory(100, prepare, [&] { GR::region_segmentation(mesh, .5, region); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::geodesic_distances(mesh, distance, source); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::geodesic_diameter(mesh, gp::vertex_distance_map(distance)); }, state);
+  run_out_of_memory(
+      100, prepare, [&] { GR::region_segmentation(mesh, .5, region); }, state);
 }
 
 TEST(Out_of_memory, functions_that_only_look)
@@ -311,9 +346,12 @@ TEST(Out_of_memory, functions_that_only_look)
   const auto prepare = [&] { curves.clear(), curves.reserve(100); }; // the caller's memory is not our business
   const auto state = [&] { return description(mesh) + std::to_string(curves.size()); };
   const std::vector<double> values{-1.5, 0., 1.5};
-  run_out_of_memory(100, prepare, [&] { GR::equidistant_curves(mesh, height, values, std::back_inserter(curves)); }, state);
-  run_out_of_memory(60, prepare, [&] { GR::Curvature_sizing_field<Mesh> field(mesh); }, state);
-  run_out_of_memory(60, prepare, [&] { GR::is_valid_remeshing(mesh, mesh); }, state);
+  run_out_of_memory(
+      100, prepare, [&] { GR::equidistant_curves(mesh, height, values, std::back_inserter(curves)); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::Curvature_sizing_field<Mesh> field(mesh); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::is_valid_remeshing(mesh, mesh); }, state);
 }
 
 TEST(Out_of_memory, transfer_of_attributes)
@@ -326,8 +364,7 @@ TEST(Out_of_memory, transfer_of_attributes)
   CGAL::geodesic_remeshing(input, 20, out.mesh, gp::default_values(), out.parameters());
   auto number = out.mesh.add_property_map<Vertex, double>("v:number", 3.).first;
   auto corner = out.mesh.add_property_map<Mesh::Halfedge_index, double>("h:number", 3.).first;
-  const auto state = [&]
-  {
+  const auto state = [&] {
     std::string result = description(out.mesh);
     for(Vertex v : out.mesh.vertices())
       result += std::to_string(number[v]);
@@ -337,15 +374,17 @@ TEST(Out_of_memory, transfer_of_attributes)
       result += std::to_string(out.patch[f]);
     return result;
   };
-  const auto prepare = [&]
-  {
+  const auto prepare = [&] {
     std::fill(number.begin(), number.end(), 3.);
     std::fill(corner.begin(), corner.end(), 3.);
     std::fill(out.patch.begin(), out.patch.end(), 3);
   };
-  run_out_of_memory(60, prepare, [&] { GR::transfer_vertex_property(input, numbers, out.mesh, out.location, number); }, state);
-  run_out_of_memory(60, prepare, [&] { GR::transfer_face_property(input, words, out.mesh, out.location, out.patch); }, state);
-  run_out_of_memory(60, prepare, [&] { GR::transfer_corner_property(input, corners, out.mesh, out.location, corner); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::transfer_vertex_property(input, numbers, out.mesh, out.location, number); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::transfer_face_property(input, words, out.mesh, out.location, out.patch); }, state);
+  run_out_of_memory(
+      60, prepare, [&] { GR::transfer_corner_property(input, corners, out.mesh, out.location, corner); }, state);
 }
 
 TEST(Throwing_visitor, leaves_everything_as_it_was)
@@ -360,14 +399,14 @@ TEST(Throwing_visitor, leaves_everything_as_it_was)
     const long blocks = memory.blocks;
     try
     {
-      CGAL::geodesic_remeshing(input.mesh, 70, out.mesh, input.parameters().visitor(std::ref(visitor)), out.parameters());
+      CGAL::geodesic_remeshing(input.mesh, 70, out.mesh, input.parameters().visitor(std::ref(visitor)),
+                               out.parameters());
       EXPECT_GE(calls, 20); // ten stages, and the progress of each
       EXPECT_EQ(out.mesh.number_of_vertices(), 70u);
       return;
     }
     catch(const Interrupted&)
-    {
-    }
+    {}
     ASSERT_EQ(memory.blocks, blocks) << "call " << calls;
     ASSERT_EQ(out.state(), state) << "call " << calls;
     ASSERT_EQ(description(input.mesh), before) << "call " << calls;
@@ -384,7 +423,8 @@ TEST(Throwing_map, leaves_everything_as_it_was)
   const Open_box input;
   Used_output out;
   const std::string state = out.state();
-  EXPECT_THROW(CGAL::geodesic_remeshing(input.mesh, 70, out.mesh, gp::sizing_field(Throwing_sizing{Vertex(9)}), out.parameters()),
+  EXPECT_THROW(CGAL::geodesic_remeshing(input.mesh, 70, out.mesh, gp::sizing_field(Throwing_sizing{Vertex(9)}),
+                                        out.parameters()),
                Interrupted);
   EXPECT_EQ(out.state(), state);
 }

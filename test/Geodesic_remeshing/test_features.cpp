@@ -48,8 +48,8 @@ using Segments = std::vector<std::pair<Point, Point>>;
 double diagonal_of(const Mesh& mesh)
 {
   const auto box = PMP::bbox(mesh);
-  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
-                   + CGAL::square(box.zmax() - box.zmin()));
+  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin()) +
+                   CGAL::square(box.zmax() - box.zmin()));
 }
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b)
@@ -101,7 +101,10 @@ bool is_sharp(const Mesh& mesh, Edge e)
   return mesh.is_border(e) || normal_of(mesh, mesh.face(h)) * normal_of(mesh, mesh.face(o)) < .5 + 1e-9;
 }
 
-std::function<bool(Edge)> sharp_edges_of(const Mesh& mesh) { return [&mesh](Edge e) { return is_sharp(mesh, e); }; }
+std::function<bool(Edge)> sharp_edges_of(const Mesh& mesh)
+{
+  return [&mesh](Edge e) { return is_sharp(mesh, e); };
+}
 
 bool has_vertex_at(const Mesh& mesh, const Point& p)
 {
@@ -121,8 +124,8 @@ std::vector<Point> corners_of(const Mesh& mesh, const Is_line& is_line)
         ways.push_back(mesh.point(mesh.source(h)) - mesh.point(v));
     if(ways.empty())
       continue;
-    const bool turns = ways.size() == 2
-      && -(ways[0] * ways[1]) < .5001 * std::sqrt(ways[0].squared_length() * ways[1].squared_length());
+    const bool turns = ways.size() == 2 &&
+                       -(ways[0] * ways[1]) < .5001 * std::sqrt(ways[0].squared_length() * ways[1].squared_length());
     if(ways.size() != 2 || turns)
       result.push_back(mesh.point(v));
   }
@@ -141,13 +144,17 @@ struct Result
   template <class Target, class Parameters>
   Result(const Mesh& input, const Target& target, const Parameters& np)
   {
-    const auto np_out = parameters::vertex_location_map(location).edge_is_constrained_map(constrained).face_patch_map(patch);
+    const auto np_out =
+        parameters::vertex_location_map(location).edge_is_constrained_map(constrained).face_patch_map(patch);
     geodesic_remeshing(input, target, mesh, np, np_out);
   }
   Result(const Result&) = delete;
   Result& operator=(const Result&) = delete;
 
-  Segments lines() const { return lines_of(mesh, [this](Edge e) { return constrained[e]; }); }
+  Segments lines() const
+  {
+    return lines_of(mesh, [this](Edge e) { return constrained[e]; });
+  }
   int patch_beside(Edge e, int side) const { return patch[mesh.face(mesh.halfedge(e, side))]; }
 };
 
@@ -185,7 +192,10 @@ struct Straight_case
   Mesh mesh;
 };
 
-std::ostream& operator<<(std::ostream& out, const Straight_case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const Straight_case& c)
+{
+  return out << c.name;
+}
 
 Mesh with_hole(Mesh mesh, std::initializer_list<unsigned> faces)
 {
@@ -197,14 +207,18 @@ Mesh with_hole(Mesh mesh, std::initializer_list<unsigned> faces)
 
 std::vector<Straight_case> straight_cases()
 {
-  const Mesh frame = made::blocks({{{{0, 0, 0}}, {{9, 3, 3}}}, {{{0, 6, 0}}, {{9, 9, 3}}},
-                                   {{{0, 3, 0}}, {{3, 6, 3}}}, {{{6, 3, 0}}, {{9, 6, 3}}}});
+  const Mesh frame = made::blocks(
+      {{{{0, 0, 0}}, {{9, 3, 3}}}, {{{0, 6, 0}}, {{9, 9, 3}}}, {{{0, 3, 0}}, {{3, 6, 3}}}, {{{6, 3, 0}}, {{9, 6, 3}}}});
   const Mesh two_boxes = made::together({made::box(2, 2, 2), made::moved(made::box(1, 3, 1), Vector(5, 0, 0))});
-  return {{"cube", made::box(1, 1, 1)},        {"box", made::box(4, 3, 2)},   {"L", made::l_shape()},
-          {"stairs", made::stairs(4)},         {"gear", made::gear(12, 8., 10., 4.)},
+  return {{"cube", made::box(1, 1, 1)},
+          {"box", made::box(4, 3, 2)},
+          {"L", made::l_shape()},
+          {"stairs", made::stairs(4)},
+          {"gear", made::gear(12, 8., 10., 4.)},
           {"frame", frame},
           {"thin_box", made::scaled(made::box(40, 40, 1), .1)},
-          {"square", made::plane(6)},          {"two_boxes", two_boxes}};
+          {"square", made::plane(6)},
+          {"two_boxes", two_boxes}};
 }
 
 } // namespace
@@ -317,7 +331,8 @@ TEST(Features, bound_must_be_positive)
   const Mesh input = made::box(1, 1, 1);
   Mesh output;
   for(double bound : {0., -1., std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(geodesic_remeshing(input, 100, output, parameters::features_angle_bound(bound)), std::invalid_argument);
+    EXPECT_THROW(geodesic_remeshing(input, 100, output, parameters::features_angle_bound(bound)),
+                 std::invalid_argument);
 }
 
 TEST(Features, tip_of_a_cone_is_a_vertex)
@@ -345,19 +360,23 @@ struct Open_case
   double tolerance; // of the boundary, at 1500 vertices
 };
 
-std::ostream& operator<<(std::ostream& out, const Open_case& c) { return out << c.name; }
+std::ostream& operator<<(std::ostream& out, const Open_case& c)
+{
+  return out << c.name;
+}
 
 std::vector<Open_case> open_cases()
 {
-  return {{"square", made::plane(10), 1e-9},
-          {"disc", made::disc(20), 2e-3},
-          {"tube", made::cylinder(1., 4., 60, 30, false), 4e-3},
-          {"punctured_torus", with_hole(made::torus(3., 1., 40, 20), {101}), .15},
-          {"torus_with_three_holes", with_hole(made::torus(3., 1., 40, 20), {101, 700, 1200}), .15},
-          {"sphere_with_four_holes", with_hole(made::sphere(4), {0, 300, 700, 1100}), .05},
-          {"open_box", with_hole(made::box(1, 1, 1), {0, 1}), 1e-9},
-          {"two_discs", made::together({made::disc(8), made::moved(made::disc(12, 2.), Vector(5, 0, 0))}), 2e-2},
-          {"closed_and_open", made::together({made::sphere(3), made::moved(made::disc(12, 2.), Vector(5, 0, 0))}), 1e-2}};
+  return {
+      {"square", made::plane(10), 1e-9},
+      {"disc", made::disc(20), 2e-3},
+      {"tube", made::cylinder(1., 4., 60, 30, false), 4e-3},
+      {"punctured_torus", with_hole(made::torus(3., 1., 40, 20), {101}), .15},
+      {"torus_with_three_holes", with_hole(made::torus(3., 1., 40, 20), {101, 700, 1200}), .15},
+      {"sphere_with_four_holes", with_hole(made::sphere(4), {0, 300, 700, 1100}), .05},
+      {"open_box", with_hole(made::box(1, 1, 1), {0, 1}), 1e-9},
+      {"two_discs", made::together({made::disc(8), made::moved(made::disc(12, 2.), Vector(5, 0, 0))}), 2e-2},
+      {"closed_and_open", made::together({made::sphere(3), made::moved(made::disc(12, 2.), Vector(5, 0, 0))}), 1e-2}};
 }
 
 } // namespace
@@ -417,7 +436,9 @@ template <class Is_line>
 void expect_lines_kept(const Mesh& input, const Is_line& is_line, const Result& result)
 {
   std::set<std::pair<Point, Point>> edges;
-  const auto ends = [](const Mesh& mesh, Edge e) { return std::minmax({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))}); };
+  const auto ends = [](const Mesh& mesh, Edge e) {
+    return std::minmax({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
+  };
   for(Edge e : input.edges())
     if(is_line(e))
       edges.insert(ends(input, e));
@@ -440,7 +461,8 @@ TEST(Protected_lines, boundary_edges_stay_as_they_are)
       SCOPED_TRACE(vertices);
       const Result result(input, vertices, parameters::protect_constraints(true));
       expect_guarantees(input, result, vertices);
-      expect_lines_kept(input, [&](Edge e) { return input.is_border(e); }, result);
+      expect_lines_kept(
+          input, [&](Edge e) { return input.is_border(e); }, result);
     }
 }
 
@@ -463,7 +485,8 @@ TEST(Protected_lines, noisy_boundary_of_a_model)
   ASSERT_TRUE(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/lion-head.off"), input));
   const Result result(input, 3000, parameters::protect_constraints(true));
   expect_guarantees(input, result, 3000);
-  expect_lines_kept(input, [&](Edge e) { return input.is_border(e); }, result);
+  expect_lines_kept(
+      input, [&](Edge e) { return input.is_border(e); }, result);
 }
 
 TEST(Protected_lines, too_few_vertices_say_how_many_are_needed)
@@ -552,7 +575,10 @@ struct Constrained_sphere
         edges[e] = true;
   }
 
-  Segments lines() const { return lines_of(mesh, [this](Edge e) { return edges[e]; }); }
+  Segments lines() const
+  {
+    return lines_of(mesh, [this](Edge e) { return edges[e]; });
+  }
 };
 
 } // namespace
@@ -560,7 +586,7 @@ struct Constrained_sphere
 TEST(Constrained_edges, circle_dangling_arc_and_crossing)
 {
   Constrained_sphere s;
-  s.constrain([](const Point& p) { return p.z() == 0.; });                               // closed
+  s.constrain([](const Point& p) { return p.z() == 0.; });                                // closed
   s.constrain([](const Point& p) { return p.x() == 0. && p.y() >= 0. && p.z() >= -.3; }); // crosses it, with two ends
   s.constrain([](const Point& p) { return p.y() == 0. && p.x() > .2 && p.z() > .2; });    // touches nothing
   for(std::size_t vertices : {150, 1500})
@@ -623,10 +649,10 @@ TEST(Patches, octants_of_a_sphere)
 {
   Mesh input = made::sphere(4);
   auto patch = input.add_property_map<Face, int>("f:octant", 0).first;
-  const auto octant = [](const Mesh& mesh, Face f)
-  {
+  const auto octant = [](const Mesh& mesh, Face f) {
     const Halfedge h = mesh.halfedge(f);
-    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                &r = mesh.point(mesh.target(mesh.next(h)));
     const Point c = CGAL::centroid(p, q, r);
     return 100 + (c.x() > 0.) + 2 * (c.y() > 0.) + 4 * (c.z() > 0.);
   };
@@ -662,13 +688,17 @@ TEST(Patches, of_a_large_surface_with_a_line_and_sizes)
   auto is_on_equator = input.add_property_map<Edge, bool>("e:is_on_equator", false).first;
   for(Edge e : input.edges())
     is_on_equator[e] = input.point(input.vertex(e, 0)).x() > 3.9 && input.point(input.vertex(e, 1)).x() > 3.9 &&
-                       std::abs(input.point(input.vertex(e, 0)).z()) < 1e-9 && std::abs(input.point(input.vertex(e, 1)).z()) < 1e-9;
+                       std::abs(input.point(input.vertex(e, 0)).z()) < 1e-9 &&
+                       std::abs(input.point(input.vertex(e, 1)).z()) < 1e-9;
 
-  const Result result(input, 1500, parameters::face_patch_map(side).sizing_field(size).edge_is_constrained_map(is_on_equator));
+  const Result result(input, 1500,
+                      parameters::face_patch_map(side).sizing_field(size).edge_is_constrained_map(is_on_equator));
   expect_guarantees(input, result, 1500);
   for(Face f : result.mesh.faces())
     EXPECT_EQ(result.patch[f], side_of(result.mesh, f)) << f;
-  const auto is_line = [&](Edge e) { return is_on_equator[e] || side[input.face(input.halfedge(e, 0))] != side[input.face(input.halfedge(e, 1))]; };
+  const auto is_line = [&](Edge e) {
+    return is_on_equator[e] || side[input.face(input.halfedge(e, 0))] != side[input.face(input.halfedge(e, 1))];
+  };
   expect_lines_covered(lines_of(input, is_line), result, .005 * diagonal_of(input));
   EXPECT_GE(std::count_if(input.edges().begin(), input.edges().end(), [&](Edge e) { return is_on_equator[e]; }), 10);
 }
@@ -738,7 +768,7 @@ TEST(Regions_of_faces, in_place_and_with_lines)
   Mesh mesh = made::box(3, 2, 2);
   auto region = mesh.add_property_map<Face, int>("f:region", -1).first;
   const GR::Summary summary =
-    geodesic_remeshing(mesh, 1000, parameters::features_angle_bound(60.).face_region_map(region));
+      geodesic_remeshing(mesh, 1000, parameters::features_angle_bound(60.).face_region_map(region));
   EXPECT_EQ(mesh.number_of_vertices(), 1000u);
   std::map<int, Vector> normal; // each side of the box is a region
   for(Face f : mesh.faces())
@@ -790,7 +820,8 @@ Mesh folded_sheet(double distance)
   for(Vertex v : mesh.vertices())
   {
     const Point p = mesh.point(v);
-    const double s = p.x() / n * (2. * width + half_tube) - width - .5 * half_tube; // the way over the fold, 0 in its middle
+    const double s =
+        p.x() / n * (2. * width + half_tube) - width - .5 * half_tube; // the way over the fold, 0 in its middle
     const double beyond = std::abs(s) - .5 * half_tube, up = s < 0. ? -1. : 1.;
     const double y = p.y() * width / n;
     if(beyond > 0.)
@@ -880,7 +911,10 @@ struct Model_case
   double distance;      // of the surfaces, at most
 };
 
-std::ostream& operator<<(std::ostream& out, const Model_case& c) { return out << c.model << ", " << c.vertices; }
+std::ostream& operator<<(std::ostream& out, const Model_case& c)
+{
+  return out << c.model << ", " << c.vertices;
+}
 
 } // namespace
 
@@ -895,11 +929,12 @@ TEST_P(Model_with_lines, keeps_them)
     GTEST_SKIP() << "the data of this version of CGAL does not have it yet";
   Mesh input;
   ASSERT_TRUE(CGAL::IO::read_OFF(file, input));
-  const Result result(input, c.vertices, parameters::features_angle_bound(c.feature_angle > 0. ? c.feature_angle : 999.));
+  const Result result(input, c.vertices,
+                      parameters::features_angle_bound(c.feature_angle > 0. ? c.feature_angle : 999.));
   expect_guarantees(input, result, c.vertices);
   const double diagonal = diagonal_of(input);
-  const std::function<bool(Edge)> is_line = c.feature_angle > 0. ? sharp_edges_of(input)
-                                                                  : [&](Edge e) { return input.is_border(e); };
+  const std::function<bool(Edge)> is_line =
+      c.feature_angle > 0. ? sharp_edges_of(input) : [&](Edge e) { return input.is_border(e); };
   EXPECT_LE(distance_of_lines(lines_of(input, is_line), result.lines()), .01 * c.lines * diagonal);
   EXPECT_LE(distance_of_lines(result.lines(), lines_of(input, is_line)), .01 * c.lines * diagonal);
   EXPECT_GE(support::quality_of(result.mesh).smallest_angle, 20.);
@@ -907,23 +942,19 @@ TEST_P(Model_with_lines, keeps_them)
   EXPECT_LE(support::largest_distance(result.mesh, input), .01 * c.distance * diagonal);
 }
 
-INSTANTIATE_TEST_SUITE_P(Data, Model_with_lines,
-                         testing::Values(Model_case{"fandisk", 3238, 60., 52., .5, 1.},
-                                         Model_case{"anchor_dense", 3000, 60., 52., 1.5, 2.},
-                                         Model_case{"joint_refined", 3000, 60., 52., .5, 1.},
-                                         Model_case{"rotor", 5000, 60., 52., .8, 1.},
-                                         Model_case{"mannequin-devil", 5000, 0., 52., .14, 3.},
-                                         Model_case{"lion-head", 5000, 0., 52., .05, 4.},
-                                         Model_case{"nefertiti", 3000, 0., 52., .04, 1.},
-                                         Model_case{"mesh_with_border", 1000, 0., 52., .1, 1.},
-                                         Model_case{"cylinder", 1000, 0., 52., .2, 1.},
-                                         Model_case{"patch-01", 2000, 0., 52., .2, 3.}),
-                         [](const testing::TestParamInfo<Model_case>& info)
-                         {
-                           std::string name = info.param.model;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Data, Model_with_lines,
+    testing::Values(Model_case{"fandisk", 3238, 60., 52., .5, 1.}, Model_case{"anchor_dense", 3000, 60., 52., 1.5, 2.},
+                    Model_case{"joint_refined", 3000, 60., 52., .5, 1.}, Model_case{"rotor", 5000, 60., 52., .8, 1.},
+                    Model_case{"mannequin-devil", 5000, 0., 52., .14, 3.},
+                    Model_case{"lion-head", 5000, 0., 52., .05, 4.}, Model_case{"nefertiti", 3000, 0., 52., .04, 1.},
+                    Model_case{"mesh_with_border", 1000, 0., 52., .1, 1.},
+                    Model_case{"cylinder", 1000, 0., 52., .2, 1.}, Model_case{"patch-01", 2000, 0., 52., .2, 3.}),
+    [](const testing::TestParamInfo<Model_case>& info) {
+      std::string name = info.param.model;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 // ---- the parts
 
@@ -969,8 +1000,7 @@ TEST(Lines, corners_depend_on_the_scale)
       input.point(v) = Point(input.point(v).x(), int(std::lround(input.point(v).x())) % 2 == 0 ? -.6 : .6, 0.);
   internal::Input_surface<Mesh> copy;
   internal::copy_input(input, parameters::default_values(), copy, true);
-  const auto corners = [&](double edge_length)
-  {
+  const auto corners = [&](double edge_length) {
     const Constraints c = internal::find_constraints(input, parameters::default_values(), copy, edge_length);
     return std::count_if(c.is_corner.begin(), c.is_corner.end(), [](char x) { return x != 0; });
   };
@@ -982,14 +1012,12 @@ TEST(Lines, spurs_and_specks_that_were_only_detected_are_dropped)
 {
   const Mesh mesh = made::plane(20);
   // a long line with a spur of length 2 at its middle, and a line of length 3 that touches nothing
-  const auto is_marked = [](const Point& p, const Point& q)
-  {
+  const auto is_marked = [](const Point& p, const Point& q) {
     const double low = (std::min)(p.y(), q.y()), high = (std::max)(p.y(), q.y());
-    return (p.y() == 10. && q.y() == 10.) || (p.x() == 10. && q.x() == 10. && low >= 10. && high <= 12.)
-        || (p.x() == 4. && q.x() == 4. && low >= 2. && high <= 5.);
+    return (p.y() == 10. && q.y() == 10.) || (p.x() == 10. && q.x() == 10. && low >= 10. && high <= 12.) ||
+           (p.x() == 4. && q.x() == 4. && low >= 2. && high <= 5.);
   };
-  const auto left = [&](double edge_length, bool all_given)
-  {
+  const auto left = [&](double edge_length, bool all_given) {
     std::vector<char> marked(mesh.number_of_edges(), 0), none(mesh.number_of_vertices(), 0);
     for(Edge e : mesh.edges())
       marked[e] = is_marked(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));

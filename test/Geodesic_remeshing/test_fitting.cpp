@@ -72,7 +72,10 @@ Mesh fitted(const Mesh& input, std::size_t n)
   return output;
 }
 
-double smallest_angle(const Mesh& mesh) { return support::quality_of(mesh).smallest_angle; }
+double smallest_angle(const Mesh& mesh)
+{
+  return support::quality_of(mesh).smallest_angle;
+}
 
 } // namespace
 
@@ -140,7 +143,8 @@ TEST(Downhill_search, stays_on_the_sheet_where_it_begins)
 TEST(Fit_system, finds_the_common_point_of_planes)
 {
   GR::internal::Fit_system system;
-  for(const auto& [normal, distance] : {std::pair(Vector(1, 0, 0), 2.), std::pair(Vector(0, .6, .8), -1.), std::pair(Vector(.6, 0, -.8), .5)})
+  for(const auto& [normal, distance] :
+      {std::pair(Vector(1, 0, 0), 2.), std::pair(Vector(0, .6, .8), -1.), std::pair(Vector(.6, 0, -.8), .5)})
     system.add({{{1., 0., 0.}}, distance * normal, distance * distance}, 1., 3., 1.);
   const Vector step = system.least();
   EXPECT_NEAR(step * Vector(1, 0, 0), 2., 1e-12);
@@ -159,7 +163,7 @@ TEST(Fitting, makes_a_valid_mesh_much_nearer_to_the_surface)
     Mesh output;
     const auto summary = geodesic_remeshing(input, 700, output, gp::do_project(false));
     EXPECT_TRUE(GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(700).surface_tolerance(.02)))
-      << GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(700).surface_tolerance(.02));
+        << GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(700).surface_tolerance(.02));
     EXPECT_GE(smallest_angle(output), 30.);
     const double distance = rms_distance(input, output);
     EXPECT_LT(distance, .5 * rms_distance(input, plain));
@@ -201,7 +205,8 @@ TEST(Fitting, keeps_features_and_corners)
   const Mesh input = made::divided(made::box(2, 3, 2), 3);
   Mesh output;
   auto is_line = output.add_property_map<GR::internal::Edge, bool>("e:line", false).first;
-  geodesic_remeshing(input, 800, output, gp::do_project(false).features_angle_bound(60), gp::edge_is_constrained_map(is_line));
+  geodesic_remeshing(input, 800, output, gp::do_project(false).features_angle_bound(60),
+                     gp::edge_is_constrained_map(is_line));
   EXPECT_EQ(output.number_of_vertices(), 800u);
   // Flat sides and straight creases leave nothing to fit.
   EXPECT_LT(largest_distance(output, input), 1e-3);
@@ -266,8 +271,7 @@ TEST(Fitting, follows_a_sizing_and_else_the_curvature)
   const auto ones = input.add_property_map<Vertex, double>("v:size", 1.).first;
   geodesic_remeshing(input, 600, uniform, gp::do_project(false).sizing_field(ones));
   const Mesh by_curvature = fitted(input, 600);
-  const auto number_at_tips = [](const Mesh& mesh)
-  {
+  const auto number_at_tips = [](const Mesh& mesh) {
     const auto all = mesh.vertices();
     return std::count_if(all.begin(), all.end(), [&](Vertex v) { return std::abs(mesh.point(v).z()) > 3.5; });
   };
@@ -289,7 +293,8 @@ TEST(Fitting, is_a_stage_that_the_visitor_can_stop)
     int asked = 0;
   } visitor;
   Mesh output = made::octahedron();
-  EXPECT_THROW(geodesic_remeshing(made::sphere(3), 200, output, gp::do_project(false).visitor(std::ref(visitor))), GR::Remeshing_error);
+  EXPECT_THROW(geodesic_remeshing(made::sphere(3), 200, output, gp::do_project(false).visitor(std::ref(visitor))),
+               GR::Remeshing_error);
   EXPECT_EQ(visitor.asked, 3);
   EXPECT_TRUE(support::is_same_mesh(output, made::octahedron()));
 }

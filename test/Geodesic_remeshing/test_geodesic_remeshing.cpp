@@ -52,7 +52,10 @@ void expect_remeshing_of(const Mesh& input, const Mesh& output, std::size_t vert
   EXPECT_EQ(support::topology_of(output), support::topology_of(input));
 }
 
-std::string name_of(const testing::TestParamInfo<std::size_t>& info) { return made::cases()[info.param].name; }
+std::string name_of(const testing::TestParamInfo<std::size_t>& info)
+{
+  return made::cases()[info.param].name;
+}
 
 } // namespace
 
@@ -89,7 +92,7 @@ TEST_P(Made_surface, has_no_bad_angles_at_a_fine_resolution)
 #ifdef NDEBUG
   const std::size_t n = 3000;
 #else
-  const std::size_t n = 1500; // with all assertions it takes a hundred times as long
+  const std::size_t n = 1500;                                 // with all assertions it takes a hundred times as long
 #endif
   Mesh output;
   geodesic_remeshing(input(), n, output);
@@ -368,8 +371,8 @@ TEST(Visitor, is_told_the_stages_in_their_order_and_the_progress)
   Witness witness;
   Mesh output;
   const auto summary = geodesic_remeshing(made::torus(3, 1, 40, 16), 2000, output, gp::visitor(std::ref(witness)));
-  const std::vector<std::string> order = {"input", "sizing", "refinement", "distances", "regions", "curves", "samples", "strips",
-                                          "improvement", "output"};
+  const std::vector<std::string> order = {"input",  "sizing",  "refinement", "distances",   "regions",
+                                          "curves", "samples", "strips",     "improvement", "output"};
   EXPECT_EQ(witness.stages, order);
   ASSERT_EQ(summary.seconds.size(), order.size());
   for(std::size_t i = 0; i < order.size(); ++i)
@@ -399,7 +402,7 @@ TEST(Visitor, stops_the_work_and_the_output_stays)
     EXPECT_THROW(geodesic_remeshing(input, 300, output, gp::visitor(std::ref(witness))), Remeshing_error);
     EXPECT_TRUE(support::is_same_mesh(output, made::octahedron())) << "stopped at " << done;
     EXPECT_EQ(std::count_if(witness.all_done.begin(), witness.all_done.end(), [&](double d) { return d >= done; }), 1)
-      << "once is enough";
+        << "once is enough";
     EXPECT_THROW(geodesic_remeshing(in_place, 300, gp::visitor(std::ref(witness))), Remeshing_error);
     EXPECT_TRUE(support::is_same_mesh(in_place, input)) << "stopped at " << done;
   }
@@ -498,9 +501,9 @@ TEST(Bad_input, targets_that_are_none)
 
 TEST(Bad_input, fewer_vertices_than_the_topology_needs)
 {
-  expect_refused<Remeshing_error>(made::sphere(2), 3, "4");               // a tetrahedron
-  expect_refused<Remeshing_error>(made::torus(3, 1, 40, 16), 6, "7");     // the Csaszar torus
-  expect_refused<Remeshing_error>(made::chain_of_tori(2), 9, "10");       // Jungerman and Ringel
+  expect_refused<Remeshing_error>(made::sphere(2), 3, "4");           // a tetrahedron
+  expect_refused<Remeshing_error>(made::torus(3, 1, 40, 16), 6, "7"); // the Csaszar torus
+  expect_refused<Remeshing_error>(made::chain_of_tori(2), 9, "10");   // Jungerman and Ringel
   expect_refused<Remeshing_error>(made::together({made::sphere(2), made::moved(made::sphere(2), Vector(4, 0, 0))}), 7,
                                   "8");
 }
@@ -578,7 +581,8 @@ TEST(Odd_input, degenerate_faces)
   ASSERT_TRUE(CGAL::is_triangle_mesh(input));
   ASSERT_TRUE(CGAL::is_closed(input));
   ASSERT_GE(std::count_if(input.faces().begin(), input.faces().end(),
-                          [&](Face f) { return PMP::is_degenerate_triangle_face(f, input); }), 30);
+                          [&](Face f) { return PMP::is_degenerate_triangle_face(f, input); }),
+            30);
   Mesh output;
   geodesic_remeshing(input, 1000, output);
   expect_remeshing_of(input, output, 1000);

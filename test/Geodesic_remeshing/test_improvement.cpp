@@ -7,7 +7,8 @@ TEST(Surface_walker, plane_is_crossed_straight)
   const Mesh surface = plane(20);
   const Surface_walker walker(surface);
   Random_numbers random;
-  for(int i = 0; i < 200; ++i) {
+  for(int i = 0; i < 200; ++i)
+  {
     const Place from{Face(static_cast<Index>(random(0, 800))), {{.2, .3, .5}}};
     const Point p = walker.point(from), q(random(0, 20), random(0, 20), 0.);
     // What points off the plane does not count.
@@ -32,7 +33,9 @@ TEST(Surface_walker, grid_vertices_are_passed_through)
 {
   const Mesh surface = plane(10);
   const Surface_walker walker(surface);
-  for(const Vector& way : {Vector(3., 0., 0.), Vector(0., 3., 0.), Vector(3., 3., 0.), Vector(-2., -2., 0.), Vector(-3., 2., 0.)}) {
+  for(const Vector& way :
+      {Vector(3., 0., 0.), Vector(0., 3., 0.), Vector(3., 3., 0.), Vector(-2., -2., 0.), Vector(-3., 2., 0.)})
+  {
     const Vertex v(5 * 11 + 5);
     const Point q = surface.point(v) + way;
     EXPECT_NEAR(CGAL::squared_distance(walker.point(walker.walk(place_of_vertex(surface, v), way)), q), 0., 1e-18);
@@ -48,7 +51,8 @@ TEST(Surface_walker, prism_is_unrolled)
     return Point(std::cos(2. * CGAL_PI * i / sides), std::sin(2. * CGAL_PI * i / sides), .2 * j);
   });
   const Surface_walker walker(surface);
-  for(const double slope : {-.3, 0., .1, .45}) {
+  for(const double slope : {-.3, 0., .1, .45})
+  {
     // From the side between corners 0 and 1, half way, on the level of 2.5; once around and 3.5 sides more.
     const Place from{Face(2 * (12 * sides)), {{.25, .5, .25}}};
     const Point p = walker.point(from);
@@ -57,10 +61,11 @@ TEST(Surface_walker, prism_is_unrolled)
     const double way = (sides + 3.5) * side;
     const Point q = walker.point(walker.walk(from, way * (along / side + Vector(0., 0., slope))));
     const double end = std::fmod(start + sides + 3.5, double(sides)), part = end - std::floor(end);
-    const Point a = surface.point(Vertex(static_cast<Index>(end))), b = surface.point(Vertex(static_cast<Index>(end) + 1));
+    const Point a = surface.point(Vertex(static_cast<Index>(end))),
+                b = surface.point(Vertex(static_cast<Index>(end) + 1));
     const double height = p.z() + slope * way;
     if(height < 0. || height > 6.)
-      continue;                                          // has met the boundary
+      continue; // has met the boundary
     const Point expected(a.x() + part * (b.x() - a.x()), a.y() + part * (b.y() - a.y()), height);
     EXPECT_NEAR(CGAL::squared_distance(q, expected), 0., 1e-18) << "slope " << slope;
   }
@@ -69,7 +74,8 @@ TEST(Surface_walker, prism_is_unrolled)
 // A way past the apex of a cone keeps the law of cosines: the apex is where a vertex of the plane would be.
 TEST(Surface_walker, cone_is_unrolled)
 {
-  for(const int sides : {3, 5, 9}) {
+  for(const int sides : {3, 5, 9})
+  {
     Mesh surface;
     const Vertex apex = surface.add_vertex(Point(0., 0., 2.));
     for(int i = 0; i < sides; ++i)
@@ -80,7 +86,8 @@ TEST(Surface_walker, cone_is_unrolled)
     const Place from{Face(0), {{.7, .2, .1}}};
     const Point p = walker.point(from);
     const Vector to_apex = surface.point(apex) - p, side = CGAL::cross_product(walker.normal(Face(0)), to_apex);
-    for(const double angle : {-.8, -.2, -.01, .02, .3, 1.2}) {
+    for(const double angle : {-.8, -.2, -.01, .02, .3, 1.2})
+    {
       const double r = std::sqrt(to_apex.squared_length()), length = 1.1 * r;
       const Vector way = 1.1 * (std::cos(angle) * to_apex + std::sin(angle) * side);
       const Point q = walker.point(walker.walk(from, way));
@@ -95,8 +102,10 @@ TEST(Surface_walker, sphere_is_crossed_on_great_circles)
   const Mesh surface = sphere(32);
   const Surface_walker walker(surface);
   Random_numbers random;
-  for(int i = 0; i < 100; ++i) {
-    const Place from{Face(static_cast<Index>(random(0, static_cast<double>(surface.number_of_faces())))), {{.3, .3, .4}}};
+  for(int i = 0; i < 100; ++i)
+  {
+    const Place from{Face(static_cast<Index>(random(0, static_cast<double>(surface.number_of_faces())))),
+                     {{.3, .3, .4}}};
     const Vector n = walker.normal(from.face);
     Vector way = CGAL::cross_product(n, Vector(random(-1, 1), random(-1, 1), random(-1, 1)));
     const double length = random(.1, 1.5);
@@ -113,9 +122,11 @@ TEST(Surface_walker, faces_without_area_are_harmless)
     return Point(i > 4. ? i - 1. : i, j > 5. ? j - 1. : j, 0.);
   });
   const Surface_walker walker(surface);
-  for(const Face f : surface.faces()) {
+  for(const Face f : surface.faces())
+  {
     EXPECT_NEAR(walker.normal(f).z(), 1., 1e-12);
-    for(const Vector& way : {Vector(4., 1., 0.), Vector(-4., 2., 0.), Vector(0., 3., 0.), Vector(1., -5., 0.)}) {
+    for(const Vector& way : {Vector(4., 1., 0.), Vector(-4., 2., 0.), Vector(0., 3., 0.), Vector(1., -5., 0.)})
+    {
       const Place to = walker.walk(Place{f, {{.2, .3, .5}}}, way);
       EXPECT_NEAR(to.coordinates[0] + to.coordinates[1] + to.coordinates[2], 1., 1e-12);
       EXPECT_GE((std::min)({to.coordinates[0], to.coordinates[1], to.coordinates[2]}), 0.);
@@ -139,7 +150,8 @@ TEST(Lean_triangulation, changes_are_taken_back)
   };
   const auto expect_consistent = [&] {
     std::size_t corners = 0, valences = 0;
-    for(Index v = 0; v < table.vertex_slots(); ++v) {
+    for(Index v = 0; v < table.vertex_slots(); ++v)
+    {
       if(table.is_removed(v))
         continue;
       Index ring = 0;
@@ -148,18 +160,20 @@ TEST(Lean_triangulation, changes_are_taken_back)
       valences += ring;
     }
     for(Index f = 0; f < table.face_slots(); ++f)
-      for(Index h = 4 * f; h < 4 * f + 3 && !table.is_removed_face(f); ++h, ++corners) {
+      for(Index h = 4 * f; h < 4 * f + 3 && !table.is_removed_face(f); ++h, ++corners)
+      {
         EXPECT_EQ(table.opposite(table.opposite(h)), h);
         EXPECT_EQ(table.source(table.opposite(h)), table.target(h));
       }
     EXPECT_EQ(corners, valences);
-    EXPECT_EQ(corners, 6 * table.number_of_vertices());     // Euler characteristic 0
+    EXPECT_EQ(corners, 6 * table.number_of_vertices()); // Euler characteristic 0
   };
   table.reserve_free(50);
   const auto before = snapshot();
   Random_numbers random;
   table.record();
-  for(int i = 0; i < 3000; ++i) {
+  for(int i = 0; i < 3000; ++i)
+  {
     const Index f = static_cast<Index>(random(0, table.face_slots())), h = 4 * f + static_cast<Index>(random(0, 3));
     if(table.is_removed_face(f))
       continue;
@@ -179,7 +193,8 @@ TEST(Lean_triangulation, changes_are_taken_back)
   EXPECT_EQ(snapshot(), before);
 }
 
-class Improvement_to_a_count : public testing::TestWithParam<std::size_t> {};
+class Improvement_to_a_count : public testing::TestWithParam<std::size_t>
+{};
 
 TEST_P(Improvement_to_a_count, torus_from_a_spoilt_start)
 {
@@ -217,7 +232,8 @@ TEST(Improvement, corners_stay_and_tips_stay_near)
   pinned.is_corner.assign(surface.number_of_vertices(), 0);
   constraints.is_corner = pinned.is_corner;
   std::vector<Point> corners, tips;
-  for(const Vertex v : surface.vertices()) {
+  for(const Vertex v : surface.vertices())
+  {
     const Index i = static_cast<Index>(v) % 97;
     pinned.is_corner[v] = i == 0 || i == 40;
     constraints.is_corner[v] = i == 0;
@@ -248,7 +264,8 @@ TEST(Improvement, same_start_same_bytes)
 {
   const Mesh surface = torus(1);
   std::array<Start, 2> start;
-  for(Start& s : start) {
+  for(Start& s : start)
+  {
     spoil(surface, .3, s);
     improve_to(surface, s, 610);
   }
@@ -265,8 +282,8 @@ TEST(Improvement, progress_rises_and_stops_the_work)
   Start start;
   spoil(surface, .3, start);
   double last = 0.;
-  improve(surface, start.mesh, start.place, start.pinned, start.constrained, Constraints(), parameters_for(surface, 640),
-          [&](const double progress) {
+  improve(surface, start.mesh, start.place, start.pinned, start.constrained, Constraints(),
+          parameters_for(surface, 640), [&](const double progress) {
             EXPECT_GE(progress, last);
             EXPECT_LE(progress, 1.);
             last = progress;

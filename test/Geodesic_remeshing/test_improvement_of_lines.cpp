@@ -18,14 +18,16 @@ struct Oracle
 double area_of(const Mesh& mesh)
 {
   double sum = 0.;
-  for(const Face f : mesh.faces()) {
+  for(const Face f : mesh.faces())
+  {
     const auto v = vertices_of(mesh, f);
     sum += std::sqrt(CGAL::squared_area(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])));
   }
   return sum;
 }
 
-template <class Is_line> double length_of(const Mesh& mesh, const Is_line& is_line)
+template <class Is_line>
+double length_of(const Mesh& mesh, const Is_line& is_line)
 {
   double sum = 0.;
   for(const Edge e : mesh.edges())
@@ -38,7 +40,8 @@ std::size_t boundary_loops(const Mesh& mesh)
 {
   std::set<Halfedge> seen;
   std::size_t loops = 0;
-  for(const Halfedge h : mesh.halfedges()) {
+  for(const Halfedge h : mesh.halfedges())
+  {
     if(!mesh.is_border(h) || !seen.insert(h).second)
       continue;
     ++loops;
@@ -72,11 +75,13 @@ void expect_kept(const Mesh& surface, const Constraints& constraints, const Star
   EXPECT_EQ(boundary_loops(mesh), boundary_loops(surface));
   const double lines = length_of(surface, [&](const Edge e) { return constraints.is_line[e]; });
   const double covered = length_of(mesh, [&](const Edge e) { return start.constrained[e]; });
-  if(is_flat) {
+  if(is_flat)
+  {
     EXPECT_NEAR(covered, lines, 1e-9 * lines);
     EXPECT_NEAR(area_of(mesh), area_of(surface), 1e-9 * area_of(surface));
   }
-  else {
+  else
+  {
     EXPECT_LT(covered, lines * (1. + 1e-9));
     EXPECT_GT(covered, .9 * lines);
   }
@@ -86,7 +91,8 @@ void expect_kept(const Mesh& surface, const Constraints& constraints, const Star
   for(const Vertex x : surface.vertices())
     EXPECT_TRUE(!constraints.is_corner[x] ||
                 points.count({{surface.point(x).x(), surface.point(x).y(), surface.point(x).z()}}) == 1);
-  for(const Edge e : mesh.edges()) {
+  for(const Edge e : mesh.edges())
+  {
     EXPECT_TRUE(start.constrained[e] || !mesh.is_border(e));
     for(const unsigned end : {0u, 1u})
       EXPECT_TRUE(!start.constrained[e] || is_on_line(surface, constraints, start.place[mesh.vertex(e, end)]));
@@ -117,9 +123,8 @@ Mesh ring(const std::size_t around, const double radius, const double width)
 
 Mesh roof(const std::size_t n, const double steepness)
 {
-  return grid(2 * n, 2 * n, false, false, [=](const double i, const double j) {
-    return Point(i, j, steepness * (n - std::abs(i - n)));
-  });
+  return grid(2 * n, 2 * n, false, false,
+              [=](const double i, const double j) { return Point(i, j, steepness * (n - std::abs(i - n))); });
 }
 
 // A square crossed by two lines, of which one does not reach the boundary on its one side.
@@ -127,17 +132,20 @@ Constraints crossing_lines(const Mesh& square, const double middle, const double
 {
   Constraints constraints{std::vector<char>(square.number_of_edges(), 0),
                           std::vector<char>(square.number_of_vertices(), 0)};
-  for(const Edge e : square.edges()) {
+  for(const Edge e : square.edges())
+  {
     const Point p = square.point(square.vertex(e, 0)), q = square.point(square.vertex(e, 1));
     const auto is_both = [&](const double x, const double y) {
       return std::abs(x - middle) + std::abs(y - middle) < 1e-9;
     };
-    constraints.is_line[e] = square.is_border(e) || is_both(p.x(), q.x()) ||
-                             (is_both(p.y(), q.y()) && (std::max)(p.x(), q.x()) <= end);
+    constraints.is_line[e] =
+        square.is_border(e) || is_both(p.x(), q.x()) || (is_both(p.y(), q.y()) && (std::max)(p.x(), q.x()) <= end);
   }
-  for(const Vertex v : square.vertices()) {
+  for(const Vertex v : square.vertices())
+  {
     std::size_t degree = 0, border = 0;
-    for(const Halfedge h : square.halfedges_around_target(square.halfedge(v))) {
+    for(const Halfedge h : square.halfedges_around_target(square.halfedge(v)))
+    {
       degree += constraints.is_line[square.edge(h)];
       border += square.is_border(square.edge(h));
     }
@@ -149,7 +157,8 @@ Constraints crossing_lines(const Mesh& square, const double middle, const double
 void expect_consistent(const Lean_triangulation& table)
 {
   std::size_t faces = 0, border = 0;
-  for(Index v = 0; v < table.vertex_slots(); ++v) {
+  for(Index v = 0; v < table.vertex_slots(); ++v)
+  {
     if(table.is_removed(v))
       continue;
     Index ring = table.is_border(v), lines = 0;
@@ -163,12 +172,14 @@ void expect_consistent(const Lean_triangulation& table)
     border += table.is_border(v);
   }
   std::size_t border_edges = 0;
-  for(Index h = 0; h < 4 * table.face_slots(); ++h) {
+  for(Index h = 0; h < 4 * table.face_slots(); ++h)
+  {
     if((h & 3) == 3 || table.is_removed_face(Lean_triangulation::face(h)))
       continue;
     faces += (h & 3) == 0;
     const Index o = table.opposite(h);
-    if(o == Lean_triangulation::none) {
+    if(o == Lean_triangulation::none)
+    {
       EXPECT_TRUE(table.is_constrained(h));
       EXPECT_EQ(table.halfedge(table.source(h)), h);
       ++border_edges;
@@ -179,7 +190,7 @@ void expect_consistent(const Lean_triangulation& table)
     EXPECT_EQ(table.is_constrained(o), table.is_constrained(h));
   }
   EXPECT_EQ(border, border_edges);
-  EXPECT_EQ(faces + 2, 2 * table.number_of_vertices() - border);    // Euler characteristic 1
+  EXPECT_EQ(faces + 2, 2 * table.number_of_vertices() - border); // Euler characteristic 1
 }
 
 } // namespace
@@ -212,18 +223,21 @@ TEST(Lean_triangulation_with_lines, changes_keep_lines)
   Random_numbers random;
   table.record();
   std::size_t collapses = 0, splits = 0;
-  for(int i = 0; i < 6000; ++i) {
+  for(int i = 0; i < 6000; ++i)
+  {
     const Index f = static_cast<Index>(random(0, table.face_slots())), h = 4 * f + static_cast<Index>(random(0, 3));
     if(table.is_removed_face(f))
       continue;
     const Index w = table.target(h);
     const bool is_corner = w < mesh.number_of_vertices() && constraints.is_corner[Vertex(w)];
     const int kind = static_cast<int>(random(0, 6));
-    if(kind == 0 && table.number_of_vertices() < 200) {
+    if(kind == 0 && table.number_of_vertices() < 200)
+    {
       table.split_edge(h);
       ++splits;
     }
-    else if(kind == 1 && !is_corner && table.is_collapse_legal(h)) {
+    else if(kind == 1 && !is_corner && table.is_collapse_legal(h))
+    {
       table.collapse(h);
       ++collapses;
     }
@@ -239,7 +253,8 @@ TEST(Lean_triangulation_with_lines, changes_keep_lines)
   // The lines are still a connected graph that parts the square in three.
   std::size_t line_vertices = 0, line_degrees = 0;
   for(Index v = 0; v < table.vertex_slots(); ++v)
-    if(!table.is_removed(v) && table.is_on_line(v)) {
+    if(!table.is_removed(v) && table.is_on_line(v))
+    {
       ++line_vertices;
       line_degrees += table.line_degree(v);
     }
@@ -264,12 +279,12 @@ TEST(Line_walker, slides_by_arc_length_and_stops_before_ends)
     EXPECT_NEAR(walker.point(place).x(), x, 1e-12);
     EXPECT_NEAR(walker.point(place).y(), y, 1e-12);
   };
-  expect_at(lines.slide(at(3., 1.), Vector(7., .5, 0.)), 3., 1.5);      // along the line only
-  expect_at(lines.slide(lines.slide(at(3., 1.), Vector(0., .25, 0.)), Vector(0., 5., 0.)), 3., 2.125);   // an end at 3
+  expect_at(lines.slide(at(3., 1.), Vector(7., .5, 0.)), 3., 1.5); // along the line only
+  expect_at(lines.slide(lines.slide(at(3., 1.), Vector(0., .25, 0.)), Vector(0., 5., 0.)), 3., 2.125); // an end at 3
   expect_at(lines.slide(at(1., 0.), Vector(-.75, 0., 0.)), .25, 0.);
-  expect_at(lines.slide(at(1., 0.), Vector(-3., 0., 0.)), .5, 0.);      // a corner
+  expect_at(lines.slide(at(1., 0.), Vector(-3., 0., 0.)), .5, 0.); // a corner
   expect_at(lines.slide(at(1., 3.), Vector(1.25, 0., 0.)), 2.25, 3.);
-  expect_at(lines.slide(at(4., 3.), Vector(-1., 0., 0.)), 4., 3.);      // at an end
+  expect_at(lines.slide(at(4., 3.), Vector(-1., 0., 0.)), 4., 3.); // at an end
   expect_at(lines.middle(at(1., 0.), at(2., 0.), at(0., 0.)), 1.5, 0.);
   expect_at(lines.middle(at(3., 3.), at(4., 3.), at(4., 3.)), 3.5, 3.); // from end to end
   EXPECT_FALSE(lines.middle(at(0., 0.), at(3., 3.), at(3., 3.)).face.is_valid());
@@ -284,7 +299,8 @@ TEST(Line_walker, closed_line)
   const Line_walker lines(walker, constraints);
   const double edge = 4. * std::sin(CGAL_PI / 40.);
   const auto on_rim = [&](const Index i) { return place_of_vertex(surface, Vertex(i % 40)); };
-  for(Index i = 0; i < 40; ++i) {
+  for(Index i = 0; i < 40; ++i)
+  {
     const Point p = walker.point(lines.middle(on_rim(i), on_rim(i + 30), on_rim(i + 35)));
     EXPECT_NEAR(CGAL::squared_distance(p, surface.point(Vertex((i + 35) % 40))), 4. * 4., 1e-9) << i; // opposite
     const Vector along = surface.point(Vertex((i + 1) % 40)) - surface.point(Vertex(i));
@@ -302,14 +318,14 @@ protected:
   static const std::vector<Case>& cases()
   {
     static const std::vector<Case> all = {
-      {"plane", plane(12), true, 30.},
-      {"cube", made::box(8, 8, 8), true, 30.},
-      {"thin_box", made::box(16, 12, 2), true, 25.},
-      {"l_shape", l_shape(5), true, 25.},
-      {"roof", roof(8, 1.), true, 30.},
-      {"cylinder", made::cylinder(4., 10., 24, 10), false, 25.},
-      {"open_cylinder", made::cylinder(4., 10., 24, 10, false), false, 30.},
-      {"narrow_ring", ring(24, 4., .8), false, 20.}, // two rows wide at most: no more than what is asked everywhere
+        {"plane", plane(12), true, 30.},
+        {"cube", made::box(8, 8, 8), true, 30.},
+        {"thin_box", made::box(16, 12, 2), true, 25.},
+        {"l_shape", l_shape(5), true, 25.},
+        {"roof", roof(8, 1.), true, 30.},
+        {"cylinder", made::cylinder(4., 10., 24, 10), false, 25.},
+        {"open_cylinder", made::cylinder(4., 10., 24, 10, false), false, 30.},
+        {"narrow_ring", ring(24, 4., .8), false, 20.}, // two rows wide at most: no more than what is asked everywhere
     };
     return all;
   }
@@ -333,7 +349,8 @@ INSTANTIATE_TEST_SUITE_P(Counts, Improvement_of_lines,
                          testing::Combine(testing::Range(0, 8), testing::Values(.5, .9, 1., 1.1, 2.)));
 
 // Lines that end, cross and meet the boundary on flat ground, where no angle tells them
-class Improvement_of_given_lines : public testing::TestWithParam<double> {};
+class Improvement_of_given_lines : public testing::TestWithParam<double>
+{};
 
 TEST_P(Improvement_of_given_lines, keeps_them_and_reaches_the_count)
 {

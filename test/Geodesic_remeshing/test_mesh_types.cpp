@@ -51,7 +51,7 @@ template <class Kernel>
 using Surface_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Linear_cell_complex =
-  CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Epick>>::type;
+    CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Epick>>::type;
 
 template <class Graph>
 constexpr bool has_floats = false;
@@ -69,7 +69,8 @@ struct Mesh_type : testing::Test
 {
   using Traits = boost::graph_traits<Graph>;
   using Vertex_descriptor = typename Traits::vertex_descriptor;
-  using Graph_point = typename boost::property_traits<typename boost::property_map<Graph, CGAL::vertex_point_t>::type>::value_type;
+  using Graph_point =
+      typename boost::property_traits<typename boost::property_map<Graph, CGAL::vertex_point_t>::type>::value_type;
 
   static constexpr double tolerance = has_floats<Graph> ? 1e-6 : 1e-9;
 
@@ -86,7 +87,7 @@ struct Mesh_type : testing::Test
   static void expect_valid(const Input& input, const Output& output, std::size_t n)
   {
     const auto validity =
-      GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(n).surface_tolerance(tolerance));
+        GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(n).surface_tolerance(tolerance));
     EXPECT_TRUE(validity) << validity;
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(output));
     EXPECT_TRUE(CGAL::is_triangle_mesh(output));
@@ -94,12 +95,14 @@ struct Mesh_type : testing::Test
   }
 };
 
-using Mesh_types = testing::Types<Surface_mesh<Epick>, Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel>,
-                                  Surface_mesh<CGAL::Simple_cartesian<float>>, CGAL::Polyhedron_3<Epick>, Linear_cell_complex
+using Mesh_types =
+    testing::Types<Surface_mesh<Epick>, Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel>,
+                   Surface_mesh<CGAL::Simple_cartesian<float>>, CGAL::Polyhedron_3<Epick>, Linear_cell_complex
 #ifdef CGAL_USE_OPENMESH
-                                  , OpenMesh::TriMesh_ArrayKernelT<>
+                   ,
+                   OpenMesh::TriMesh_ArrayKernelT<>
 #endif
-                                  >;
+                   >;
 TYPED_TEST_SUITE(Mesh_type, Mesh_types, ); // the comma is for clang, which wants an argument for the names
 
 } // namespace
@@ -154,7 +157,8 @@ TYPED_TEST(Mesh_type, external_point_maps)
 
 TYPED_TEST(Mesh_type, dynamic_property_maps)
 {
-  using Location = std::pair<typename TestFixture::Traits::face_descriptor, std::array<double, 3>>; // PMP's `Face_location`
+  using Location =
+      std::pair<typename TestFixture::Traits::face_descriptor, std::array<double, 3>>; // PMP's `Face_location`
   const TypeParam& input = this->torus;
   const auto height_in = [&](auto v) { return CGAL::to_double(get(CGAL::vertex_point, input, v).z()); };
   TypeParam output;
@@ -196,7 +200,8 @@ TYPED_TEST(Mesh_type, distances_and_diameter)
   GR::geodesic_distances(input, distance, diameter.second);
   EXPECT_NEAR(get(distance, diameter.first), diameter.distance, .02 * diameter.distance);
   const auto h = halfedge(diameter.first, input);
-  GR::geodesic_distances_from_curve(input, to_curve, std::vector<typename TestFixture::Vertex_descriptor>{source(h, input), target(h, input)});
+  GR::geodesic_distances_from_curve(
+      input, to_curve, std::vector<typename TestFixture::Vertex_descriptor>{source(h, input), target(h, input)});
   for(auto v : vertices(input))
     EXPECT_GE(get(to_curve, v), 0.);
   EXPECT_EQ(get(to_curve, diameter.first), 0.);
@@ -334,8 +339,10 @@ TEST(Geom_traits, tell_the_coordinates_of_any_type_of_points)
   std::map<made::Vertex, Array_traits::Point_3> points, written;
   for(const auto v : input.vertices())
     points[v] = {{input.point(v).x(), input.point(v).y(), input.point(v).z()}};
-  const auto np_in = CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(points)).geom_traits(Array_traits());
-  const auto np_out = CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(written)).geom_traits(Array_traits());
+  const auto np_in =
+      CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(points)).geom_traits(Array_traits());
+  const auto np_out =
+      CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(written)).geom_traits(Array_traits());
   Mesh output, expected;
   CGAL::geodesic_remeshing(input, 200, output, np_in, np_out);
   CGAL::geodesic_remeshing(input, 200, expected);
@@ -351,7 +358,8 @@ TEST(Geom_traits, tell_the_coordinates_of_any_type_of_points)
   GR::equidistant_curves(input, boost::make_assoc_property_map(height), {.25}, std::back_inserter(curves), np_in);
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_NEAR(curves.front().points.front()[2], .25, 1e-12);
-  CGAL::geodesic_remeshing(output, 150, gp::vertex_point_map(boost::make_assoc_property_map(written)).geom_traits(Array_traits()));
+  CGAL::geodesic_remeshing(output, 150,
+                           gp::vertex_point_map(boost::make_assoc_property_map(written)).geom_traits(Array_traits()));
   EXPECT_EQ(output.number_of_vertices(), 150u);
 }
 
@@ -364,7 +372,8 @@ TEST(In_place, a_map_that_can_be_written_to_tells_of_the_output)
   for(const auto f : mesh.faces())
     patch[f] = mesh.point(mesh.target(mesh.halfedge(f))).z() > 0 ? 7 : 3;
   auto is_line = mesh.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
-  CGAL::geodesic_remeshing(mesh, 300, gp::face_patch_map(boost::make_assoc_property_map(patch)).edge_is_constrained_map(is_line));
+  CGAL::geodesic_remeshing(mesh, 300,
+                           gp::face_patch_map(boost::make_assoc_property_map(patch)).edge_is_constrained_map(is_line));
   for(const auto e : mesh.edges())
     EXPECT_EQ(is_line[e], patch[mesh.face(mesh.halfedge(e, 0))] != patch[mesh.face(mesh.halfedge(e, 1))]);
 }
@@ -377,7 +386,6 @@ TEST(In_place, a_map_that_can_only_be_read_is_only_read)
   CGAL::geodesic_remeshing(mesh, 150, gp::edge_is_constrained_map(is_line).face_patch_map(all_one));
   EXPECT_EQ(mesh.number_of_vertices(), 150u);
 }
-
 
 // ---- named parameters that other tests have not, and all of them together
 
@@ -409,10 +417,11 @@ TEST(Named_parameters_of_meshes, index_maps_are_a_matter_of_speed)
   const auto halfedge = backwards(input.halfedges());
   const auto face = backwards(input.faces());
   const auto all = gp::vertex_index_map(as_property_map(vertex))
-                     .halfedge_index_map(as_property_map(halfedge))
-                     .face_index_map(as_property_map(face));
+                       .halfedge_index_map(as_property_map(halfedge))
+                       .face_index_map(as_property_map(face));
   Mesh output, expected;
-  auto location = output.add_property_map<made::Vertex, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:place").first;
+  auto location =
+      output.add_property_map<made::Vertex, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:place").first;
   CGAL::geodesic_remeshing(input, 200, output, all, gp::vertex_location_map(location));
   CGAL::geodesic_remeshing(input, 200, expected);
   EXPECT_TRUE(support::is_same_mesh(output, expected));
@@ -445,25 +454,57 @@ TEST(Named_parameters_of_meshes, all_together_in_any_order)
   GR::Default_visitor visitor;
   GR::Stage_results stages;
   Mesh once, reversed;
-  auto location = once.add_property_map<made::Vertex, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:place").first;
+  auto location =
+      once.add_property_map<made::Vertex, std::pair<Mesh::Face_index, std::array<double, 3>>>("v:place").first;
   auto is_line = once.add_property_map<Mesh::Edge_index, bool>("e:line").first;
   auto patch = once.add_property_map<Mesh::Face_index, int>("f:patch").first;
   auto region = once.add_property_map<Mesh::Face_index, int>("f:region").first;
   CGAL::geodesic_remeshing(input, 400, once,
-                           gp::vertex_point_map(input.points()).geom_traits(Epick()).vertex_index_map(vertex_index)
-                             .sizing_field(length).gradation(.2).minimum_length(.01).maximum_length(10.)
-                             .features_angle_bound(60.).edge_is_constrained_map(no_edge).vertex_is_constrained_map(no_vertex)
-                             .face_patch_map(one_patch).protect_constraints(false).use_segmentation(false).number_of_iterations(2u).use_defect_moves(false).do_project(true)
-                             .visitor(std::ref(visitor)).stage_results(std::ref(stages)),
-                           gp::vertex_point_map(once.points()).geom_traits(Epick()).vertex_location_map(location)
-                             .edge_is_constrained_map(is_line).face_patch_map(patch).face_region_map(region));
+                           gp::vertex_point_map(input.points())
+                               .geom_traits(Epick())
+                               .vertex_index_map(vertex_index)
+                               .sizing_field(length)
+                               .gradation(.2)
+                               .minimum_length(.01)
+                               .maximum_length(10.)
+                               .features_angle_bound(60.)
+                               .edge_is_constrained_map(no_edge)
+                               .vertex_is_constrained_map(no_vertex)
+                               .face_patch_map(one_patch)
+                               .protect_constraints(false)
+                               .use_segmentation(false)
+                               .number_of_iterations(2u)
+                               .use_defect_moves(false)
+                               .do_project(true)
+                               .visitor(std::ref(visitor))
+                               .stage_results(std::ref(stages)),
+                           gp::vertex_point_map(once.points())
+                               .geom_traits(Epick())
+                               .vertex_location_map(location)
+                               .edge_is_constrained_map(is_line)
+                               .face_patch_map(patch)
+                               .face_region_map(region));
   CGAL::geodesic_remeshing(input, 400, reversed,
-                           gp::stage_results(std::ref(stages)).do_project(true).visitor(visitor).use_defect_moves(false).number_of_iterations(2)
-                             .use_segmentation(false).protect_constraints(false).face_patch_map(one_patch).vertex_is_constrained_map(no_vertex)
-                             .edge_is_constrained_map(no_edge).features_angle_bound(60).maximum_length(10).minimum_length(.01f)
-                             .gradation(.2).sizing_field(length).vertex_index_map(vertex_index).geom_traits(Epick())
-                             .vertex_point_map(input.points()));
+                           gp::stage_results(std::ref(stages))
+                               .do_project(true)
+                               .visitor(visitor)
+                               .use_defect_moves(false)
+                               .number_of_iterations(2)
+                               .use_segmentation(false)
+                               .protect_constraints(false)
+                               .face_patch_map(one_patch)
+                               .vertex_is_constrained_map(no_vertex)
+                               .edge_is_constrained_map(no_edge)
+                               .features_angle_bound(60)
+                               .maximum_length(10)
+                               .minimum_length(.01f)
+                               .gradation(.2)
+                               .sizing_field(length)
+                               .vertex_index_map(vertex_index)
+                               .geom_traits(Epick())
+                               .vertex_point_map(input.points()));
   EXPECT_TRUE(support::is_same_mesh(once, reversed));
-  EXPECT_TRUE(GR::is_valid_remeshing(input, once, gp::line_tolerance(1e-9).surface_tolerance(1e-9).expected_number_of_vertices(400)));
+  EXPECT_TRUE(GR::is_valid_remeshing(
+      input, once, gp::line_tolerance(1e-9).surface_tolerance(1e-9).expected_number_of_vertices(400)));
   EXPECT_GT(std::count(is_line.begin(), is_line.end(), true), 12);
 }

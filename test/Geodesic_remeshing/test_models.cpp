@@ -36,7 +36,10 @@ using support::Vertex;
 
 namespace {
 
-std::string path_of(const std::string& model) { return CGAL::data_file_path("meshes/" + model + ".off"); }
+std::string path_of(const std::string& model)
+{
+  return CGAL::data_file_path("meshes/" + model + ".off");
+}
 
 Mesh read_model(const std::string& model)
 {
@@ -60,7 +63,10 @@ struct Case
   std::size_t vertices;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.model << " with " << c.vertices << " vertices"; }
+void PrintTo(const Case& c, std::ostream* out)
+{
+  *out << c.model << " with " << c.vertices << " vertices";
+}
 
 std::vector<Case> model_cases()
 {
@@ -97,9 +103,11 @@ Limits limits_of(const Case& c)
 {
   Limits limits;
   limits.mean_smallest_angle = c.vertices < 5000 ? 0. : 54.;
-  static const std::map<std::string, Limits> shortfalls = {
-    {"camel 1000", {1.2, 12., 0., 0}}, {"armadillo 1000", {.1, 12., 0., 2}}, {"bull 5000", {.1, 12., 53.3, 0}},
-    {"3torus 5000", {.1, 12., 50.5, 0}}, {"3torus 20000", {.1, 12., 53.5, 0}}};
+  static const std::map<std::string, Limits> shortfalls = {{"camel 1000", {1.2, 12., 0., 0}},
+                                                           {"armadillo 1000", {.1, 12., 0., 2}},
+                                                           {"bull 5000", {.1, 12., 53.3, 0}},
+                                                           {"3torus 5000", {.1, 12., 50.5, 0}},
+                                                           {"3torus 20000", {.1, 12., 53.5, 0}}};
   const auto found = shortfalls.find(c.model + " " + std::to_string(c.vertices));
   return found == shortfalls.end() ? limits : found->second;
 }
@@ -131,8 +139,8 @@ void expect_discs_and_annuli(const Mesh& cut)
     EXPECT_EQ(t.components, 1) << "region " << piece.first;
     EXPECT_TRUE((t.euler_characteristic == 1 && t.boundary_loops == 1) ||
                 (t.euler_characteristic == 0 && t.boundary_loops == 2))
-      << "region " << piece.first << " has Euler characteristic " << t.euler_characteristic << " and "
-      << t.boundary_loops << " boundary loops";
+        << "region " << piece.first << " has Euler characteristic " << t.euler_characteristic << " and "
+        << t.boundary_loops << " boundary loops";
   }
 }
 
@@ -162,7 +170,7 @@ TEST_P(Remeshed_model, has_topology_shape_and_place)
   std::vector<std::pair<Face, Face>> pairs;
   PMP::self_intersections(output, std::back_inserter(pairs));
   EXPECT_TRUE(pairs.size() <= limits.intersections || PMP::does_self_intersect(input))
-    << pairs.size() << " pairs of faces intersect";
+      << pairs.size() << " pairs of faces intersect";
 }
 
 // Regions are looked at with the curves, since both cost another run.

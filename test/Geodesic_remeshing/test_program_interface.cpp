@@ -48,7 +48,8 @@ std::string on_terminal(const std::string& settings, const std::string& argument
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
   if(child == 0)
   {
-    const std::string command = "env -u NO_COLOR TERM=xterm " + settings + " '" GEODESIC_REMESH_PROGRAM "' " + arguments;
+    const std::string command =
+        "env -u NO_COLOR TERM=xterm " + settings + " '" GEODESIC_REMESH_PROGRAM "' " + arguments;
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
@@ -97,7 +98,8 @@ TEST_F(Command_line, help_lists_the_options_in_groups)
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, 0);
   const auto options = options_of_help(help.out);
-  for(const char* option : {"--vertices", "--faces", "--edge-length", "--contrast", "--report", "--quiet", "--help", "--version"})
+  for(const char* option :
+      {"--vertices", "--faces", "--edge-length", "--contrast", "--report", "--quiet", "--help", "--version"})
     EXPECT_EQ(options.count(option), 1u) << option;
   for(const char* heading : {"\nTarget", "\nSizing:", "\nInput:", "\nOutput:", "\nExamples:", "\nExit status:"})
     EXPECT_NE(help.out.find(heading), std::string::npos) << heading;
@@ -146,8 +148,9 @@ TEST_F(Command_line, bash_completes_options_and_their_values)
     GTEST_SKIP() << "bash is not installed";
   const std::string completion = file("completion", run("--generate complete-bash").out);
   const auto complete = [&](const std::string& words, int current) {
-    const std::string script = file("script", ". '" + completion + "'\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=" + std::to_string(current) +
-                                                  "\n_geodesic_remesh\necho \"${COMPREPLY[@]}\"\n");
+    const std::string script =
+        file("script", ". '" + completion + "'\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=" + std::to_string(current) +
+                           "\n_geodesic_remesh\necho \"${COMPREPLY[@]}\"\n");
     EXPECT_EQ(std::system(("cd '" + folder.string() + "' && bash '" + script + "' >answer").c_str()), 0);
     return contents(folder / "answer");
   };
@@ -182,7 +185,10 @@ TEST_F(Command_line, standard_input_and_standard_output)
   EXPECT_EQ(as_ply.out.rfind("ply\n", 0), 0u);
   EXPECT_EQ(as_ply.err, "");
   file("piped.ply", as_ply.out);
-  EXPECT_EQ(run("- " + output("again.off") + " --input-format ply --vertices 200 <'" + (folder / "piped.ply").string() + "'").status, 0);
+  EXPECT_EQ(
+      run("- " + output("again.off") + " --input-format ply --vertices 200 <'" + (folder / "piped.ply").string() + "'")
+          .status,
+      0);
   EXPECT_EQ(vertices_and_faces_of_off(output("again.off"))[0], 200u);
 }
 
@@ -197,7 +203,9 @@ TEST_F(Command_line, report_to_standard_output)
 TEST_F(Command_line, format_that_is_told_wins_over_the_ending)
 {
   const std::string input = file("mesh.dat", contents(mesh("eight")));
-  EXPECT_EQ(run(input + " " + output("mesh.stl") + " --input-format off --output-format obj --vertices 300 --quiet").status, 0);
+  EXPECT_EQ(
+      run(input + " " + output("mesh.stl") + " --input-format off --output-format obj --vertices 300 --quiet").status,
+      0);
   EXPECT_NE(contents(output("mesh.stl")).find("\nv "), std::string::npos);
 }
 
@@ -207,7 +215,8 @@ TEST_F(Command_line, wrong_use_of_streams_and_formats)
   expect_failure("- " + output() + " --input-format off --vertices 100 </dev/null", 2, "standard input");
   expect_failure(mesh("eight") + " - --report - --vertices 100", 3, "twice");
   expect_failure(mesh("eight") + " " + output() + " --output-format doc --vertices 100", 1, "one of off|obj");
-  const std::string full = "'" GEODESIC_REMESH_PROGRAM "' '" + mesh("eight") + "' - --vertices 100 >/dev/full 2>'" + output() + "'";
+  const std::string full =
+      "'" GEODESIC_REMESH_PROGRAM "' '" + mesh("eight") + "' - --vertices 100 >/dev/full 2>'" + output() + "'";
   EXPECT_EQ(WEXITSTATUS(std::system(full.c_str())), 3);
   EXPECT_EQ(contents(output()), "geodesic_remesh: standard output cannot be written\n");
 }
@@ -239,10 +248,11 @@ TEST_F(Command_line, report_follows_its_schema)
                                                                                        : "";
   if(python.empty())
     GTEST_SKIP() << "Python's package jsonschema is not installed";
-  const std::string script = file("validate.py", "import json, sys, jsonschema\n"
-                                                 "schema = json.load(open(sys.argv[1]))\n"
-                                                 "jsonschema.Draft202012Validator.check_schema(schema)\n"
-                                                 "jsonschema.Draft202012Validator(schema).validate(json.load(open(sys.argv[2])))\n");
+  const std::string script =
+      file("validate.py", "import json, sys, jsonschema\n"
+                          "schema = json.load(open(sys.argv[1]))\n"
+                          "jsonschema.Draft202012Validator.check_schema(schema)\n"
+                          "jsonschema.Draft202012Validator(schema).validate(json.load(open(sys.argv[2])))\n");
   const auto is_valid = [&](const std::string& report) {
     return std::system((python + " '" + script + "' '" REPORT_SCHEMA "' '" + report + "' 2>/dev/null").c_str()) == 0;
   };
@@ -256,7 +266,8 @@ TEST_F(Command_line, report_follows_its_schema)
 
 TEST_F(Command_line, page_holds_both_meshes_and_the_report)
 {
-  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 500 --quiet --html " + output("o.html") + " --report " + output("r.json"));
+  const Outcome outcome = run(mesh("eight") + " " + output() + " --vertices 500 --quiet --html " + output("o.html") +
+                              " --report " + output("r.json"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto data = data_of_page(contents(output("o.html")));
   EXPECT_EQ(data["report"], nlohmann::json::parse(contents(output("r.json"))));
@@ -274,7 +285,8 @@ TEST_F(Command_line, page_holds_both_meshes_and_the_report)
     EXPECT_EQ(sum_of(data["histograms"]["angles"][side]), 3 * faces) << side;
     EXPECT_EQ(sum_of(data["histograms"]["valences"][side]), vertices) << side; // no boundary
   }
-  EXPECT_EQ(bytes_of_base64(data["meshes"]["output"]["region"]), 2 * data["report"]["output"]["faces"].get<std::size_t>());
+  EXPECT_EQ(bytes_of_base64(data["meshes"]["output"]["region"]),
+            2 * data["report"]["output"]["faces"].get<std::size_t>());
   EXPECT_EQ(bytes_of_base64(data["curves"]["sizes"]), 4 * data["report"]["curves"].get<std::size_t>());
 }
 
@@ -296,13 +308,16 @@ TEST_F(Command_line, page_draws_all_faces_in_a_browser)
     GTEST_SKIP() << "no Chromium is installed";
   ASSERT_EQ(run(mesh("eight") + " " + output() + " --vertices 500 --quiet --html " + output("o.html")).status, 0);
   const auto drawn = [&](const std::string& view) {
-    const std::string command = "timeout 120 " + browser + " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader " +
-                                "--user-data-dir='" + (folder / "profile").string() + "' --virtual-time-budget=3000 --dump-dom 'file://" +
-                                output("o.html") + view + "' >'" + (folder / "dom").string() + "' 2>/dev/null";
+    const std::string command =
+        "timeout 120 " + browser + " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader " +
+        "--user-data-dir='" + (folder / "profile").string() + "' --virtual-time-budget=3000 --dump-dom 'file://" +
+        output("o.html") + view + "' >'" + (folder / "dom").string() + "' 2>/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0);
     const std::string dom = contents(folder / "dom"), attribute = "data-drawn=\"";
     const std::size_t at = dom.find(attribute);
-    return at == std::string::npos ? "nothing" : dom.substr(at + attribute.size(), dom.find('"', at + attribute.size()) - at - attribute.size());
+    return at == std::string::npos
+               ? "nothing"
+               : dom.substr(at + attribute.size(), dom.find('"', at + attribute.size()) - at - attribute.size());
   };
   const auto faces = vertices_and_faces_of_off(mesh("eight"))[1];
   EXPECT_EQ(drawn(""), std::to_string(faces) + " 1004");
@@ -385,7 +400,10 @@ TEST_F(Folder_of_models, wrong_use_of_folders)
 {
   EXPECT_EQ(WEXITSTATUS(std::system(FOLDER_PROGRAM " a b 2>/dev/null")), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(FOLDER_PROGRAM " /no/such/folder . --vertices 100 2>/dev/null")), 1);
-  EXPECT_EQ(WEXITSTATUS(std::system(("cd '" + folder.string() + "' && '" FOLDER_PROGRAM "' models ./models --vertices 100 2>/dev/null").c_str())), 1);
+  EXPECT_EQ(
+      WEXITSTATUS(std::system(
+          ("cd '" + folder.string() + "' && '" FOLDER_PROGRAM "' models ./models --vertices 100 2>/dev/null").c_str())),
+      1);
   EXPECT_TRUE(fs::is_empty(folder / "written"));
 }
 #endif
@@ -394,7 +412,8 @@ TEST_F(Folder_of_models, wrong_use_of_folders)
 TEST_F(Folder_of_models, remeshed_by_processes_of_mpi)
 {
   // containers are often root and have fewer processors than this asks for
-  const std::string settings = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 ";
+  const std::string settings =
+      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 ";
   EXPECT_EQ(run_on_models(settings + MPIEXEC " 3 '" FOLDER_MPI_PROGRAM "'"), 1);
   expect_all_but_the_damaged();
 }
@@ -405,7 +424,8 @@ TEST_F(Folder_of_models, remeshed_by_gnu_parallel)
 {
   if(!is_installed("parallel --version | grep GNU"))
     GTEST_SKIP() << "GNU parallel is not installed";
-  const std::string command = "cd '" + folder.string() + "' && parallel --joblog jobs --resume-failed '" GEODESIC_REMESH_PROGRAM
+  const std::string command = "cd '" + folder.string() +
+                              "' && parallel --joblog jobs --resume-failed '" GEODESIC_REMESH_PROGRAM
                               "' {} written/{/}.off --vertices 300 --quiet ::: models/*.off 2>/dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1); // the number of those that failed
   for(const char* name : {"eight.off.off", "cube.off.off", "an eight's \"copy\".off.off"})

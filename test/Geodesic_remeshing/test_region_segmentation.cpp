@@ -180,8 +180,8 @@ void expect_discs_and_annuli(const Segmented_surface& s, const Topology& topolog
       continue;
     EXPECT_TRUE((t.euler_characteristic == 1 && t.boundary_loops == 1) ||
                 (t.euler_characteristic == 0 && t.boundary_loops == 2))
-      << "region " << piece.first << " has Euler characteristic " << t.euler_characteristic << " and "
-      << t.boundary_loops << " boundary loops";
+        << "region " << piece.first << " has Euler characteristic " << t.euler_characteristic << " and "
+        << t.boundary_loops << " boundary loops";
   }
 }
 
@@ -403,8 +403,7 @@ TEST(Region_tree, two_equal_maxima)
 {
   const Mesh mesh = made::blocks({made::Block{{{-2, -2, 0}}, {{2, 2, 40}}}, made::Block{{{-16, -2, 0}}, {{16, 2, 4}}}});
   Segmented_surface s(mesh, 2.);
-  const auto mirrored = [&](Vertex v)
-  {
+  const auto mirrored = [&](Vertex v) {
     const Point& p = s.working.mesh.point(v);
     for(Vertex w : s.working.mesh.vertices())
       if(s.working.mesh.point(w) == Point(-p.x(), p.y(), p.z()))
@@ -552,8 +551,7 @@ TEST(Region_segmentation, components_with_boundary_are_regions)
 {
   const Mesh tubes = made::branching_tubes({20, 12, 15});
   Mesh alone = tubes;
-  const auto tree_alone =
-    region_segmentation(alone, 2., alone.add_property_map<Face, int>("f:region", -1).first);
+  const auto tree_alone = region_segmentation(alone, 2., alone.add_property_map<Face, int>("f:region", -1).first);
   Mesh mesh = made::together({made::moved(made::plane(20), made::Vector(0., 0., 60.)), tubes,
                               made::moved(made::cylinder(5., 30., 60, 30, false), made::Vector(0., 0., -90.))});
   auto map = mesh.add_property_map<Face, int>("f:region", -1).first;
@@ -572,7 +570,8 @@ TEST(Region_segmentation, components_with_boundary_are_regions)
   }
   for(const auto& c : components_of)
     EXPECT_EQ(c.second.size(), 1u) << c.first;
-  EXPECT_TRUE(std::any_of(faces_of.begin(), faces_of.end(), [](const auto& f) { return f.second == 800; })) << "the square";
+  EXPECT_TRUE(std::any_of(faces_of.begin(), faces_of.end(), [](const auto& f) { return f.second == 800; }))
+      << "the square";
   std::size_t on_boundary = 0, roots = 0;
   for(const auto& region : tree)
   {

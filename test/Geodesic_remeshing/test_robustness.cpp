@@ -67,9 +67,11 @@ Mesh with_thin_faces(Mesh mesh, double off, bool are_needles)
   for(std::size_t i = 0; i < faces; i += 7)
   {
     const Halfedge h = mesh.halfedge(Face(static_cast<Mesh::size_type>(i)));
-    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+                r = mesh.point(mesh.target(mesh.next(h)));
     const Halfedge n = CGAL::Euler::add_center_vertex(h, mesh);
-    mesh.point(mesh.target(n)) = are_needles ? CGAL::barycenter(p, 1. - 2. * off, q, off, r, off) : CGAL::barycenter(p, .5, q, .5 - off, r, off);
+    mesh.point(mesh.target(n)) =
+        are_needles ? CGAL::barycenter(p, 1. - 2. * off, q, off, r, off) : CGAL::barycenter(p, .5, q, .5 - off, r, off);
   }
   return mesh;
 }
@@ -117,7 +119,8 @@ TEST(Hard_surface, far_from_the_origin)
 // All distances are equal to many others: nothing but the numbers of the vertices can decide.
 TEST(Hard_surface, ties_everywhere)
 {
-  for(const Mesh& input : {made::plane(16), made::box(8, 8, 8), made::stairs(3), made::l_shape(), made::sphere(3), made::torus(3, 1, 32, 16), made::octahedron()})
+  for(const Mesh& input : {made::plane(16), made::box(8, 8, 8), made::stairs(3), made::l_shape(), made::sphere(3),
+                           made::torus(3, 1, 32, 16), made::octahedron()})
     for(const std::size_t number : {100, 400})
       expect_valid(input, number);
 }
@@ -205,8 +208,9 @@ struct Random_case
     has_sizing = random.chance(.3);
     contrast = random.between(0., 2.);
     std::ostringstream out;
-    out << "seed " << seed << ": " << input.number_of_vertices() << " vertices to " << number << ", iterations " << iterations << ", segmentation "
-        << use_segmentation << ", defect moves " << use_defect_moves << ", features " << has_features << ", sizing " << has_sizing << " " << contrast;
+    out << "seed " << seed << ": " << input.number_of_vertices() << " vertices to " << number << ", iterations "
+        << iterations << ", segmentation " << use_segmentation << ", defect moves " << use_defect_moves << ", features "
+        << has_features << ", sizing " << has_sizing << " " << contrast;
     description = out.str();
   }
 
@@ -238,7 +242,8 @@ struct Random_case
     Mesh output;
     try
     {
-      const auto np = gp::use_segmentation(use_segmentation).number_of_iterations(iterations).use_defect_moves(use_defect_moves);
+      const auto np =
+          gp::use_segmentation(use_segmentation).number_of_iterations(iterations).use_defect_moves(use_defect_moves);
       if(has_sizing)
         remesh(output, np.sizing_field(GR::Curvature_sizing_field<Mesh>(input, gp::contrast(contrast))));
       else
@@ -256,7 +261,8 @@ struct Random_case
     {
       return error.what();
     }
-    return faults(GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number).surface_tolerance(1e-9 + rounding())));
+    return faults(GR::is_valid_remeshing(input, output,
+                                         gp::expected_number_of_vertices(number).surface_tolerance(1e-9 + rounding())));
   }
 };
 
@@ -311,8 +317,7 @@ namespace {
 std::uint64_t checksum(const Mesh& mesh)
 {
   std::uint64_t sum = 0xCBF29CE484222325ull;
-  const auto add = [&](std::uint64_t bits)
-  {
+  const auto add = [&](std::uint64_t bits) {
     for(int i = 0; i < 8; ++i, bits >>= 8)
       sum = (sum ^ (bits & 0xFF)) * 0x100000001B3ull;
   };
@@ -338,9 +343,9 @@ TEST(Same_bytes, from_every_build)
 {
   std::ofstream out("checksums.txt");
   out << std::hex << std::setfill('0');
-  const Mesh closed = made::rounded(made::cactus_blocks(), 4), tori = made::chain_of_tori(2), open = with_faces_removed(made::stairs(3), 5, 40, 4);
-  const auto write = [&](const char* name, const Mesh& input, const auto& np)
-  {
+  const Mesh closed = made::rounded(made::cactus_blocks(), 4), tori = made::chain_of_tori(2),
+             open = with_faces_removed(made::stairs(3), 5, 40, 4);
+  const auto write = [&](const char* name, const Mesh& input, const auto& np) {
     Mesh once, again;
     CGAL::geodesic_remeshing(input, 700, once, np);
     CGAL::geodesic_remeshing(input, 700, again, np);

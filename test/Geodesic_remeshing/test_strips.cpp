@@ -41,7 +41,10 @@ struct Sampled_surface
   std::vector<Sample> samples;
 };
 
-std::string name_of(const testing::TestParamInfo<std::size_t>& info) { return cases()[info.param].name; }
+std::string name_of(const testing::TestParamInfo<std::size_t>& info)
+{
+  return cases()[info.param].name;
+}
 
 void expect_triangulation_of(const Mesh& mesh, const Topology& topology)
 {
@@ -115,11 +118,11 @@ TEST_P(Samples, are_nearly_as_many_as_asked_for)
 TEST_P(Samples, begin_with_the_root_and_have_the_tips)
 {
   const Sampled_surface s(cases()[GetParam()].mesh, 1000);
-  const auto nearest = [&](Vertex v)
-  {
+  const auto nearest = [&](Vertex v) {
     const Point& p = s.stages.working.mesh.point(v);
-    return *std::min_element(s.samples.begin(), s.samples.end(), [&](const Sample& a, const Sample& b)
-                             { return CGAL::squared_distance(a.point, p) < CGAL::squared_distance(b.point, p); });
+    return *std::min_element(s.samples.begin(), s.samples.end(), [&](const Sample& a, const Sample& b) {
+      return CGAL::squared_distance(a.point, p) < CGAL::squared_distance(b.point, p);
+    });
   };
   EXPECT_EQ(s.samples.front().point, s.stages.working.mesh.point(s.stages.roots.front()));
   for(Vertex root : s.stages.roots)
@@ -308,8 +311,7 @@ Mesh shaken_plane(unsigned n)
 {
   Mesh mesh = made::plane(n);
   std::uint64_t state = 1;
-  const auto random = [&]
-  {
+  const auto random = [&] {
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     return static_cast<double>(state >> 11) / 9007199254740992. - .5;
   };

@@ -91,10 +91,11 @@ TEST_F(Validity, hole)
 TEST_F(Validity, another_component)
 {
   CGAL::make_tetrahedron(Point(0, 0, 9), Point(1e-3, 0, 9), Point(0, 1e-3, 9), Point(0, 0, 9.001), output);
-  EXPECT_EQ(faults(is_valid_remeshing(made::together({input, made::moved(made::tetrahedron(), Vector(0, 0, 9))}), output,
-                                      gp::surface_tolerance(1.).expected_number_of_vertices(804))),
+  EXPECT_EQ(faults(is_valid_remeshing(made::together({input, made::moved(made::tetrahedron(), Vector(0, 0, 9))}),
+                                      output, gp::surface_tolerance(1.).expected_number_of_vertices(804))),
             "");
-  EXPECT_NE(faults(is_valid_remeshing(input, output, gp::surface_tolerance(10.))).find("components"), std::string::npos);
+  EXPECT_NE(faults(is_valid_remeshing(input, output, gp::surface_tolerance(10.))).find("components"),
+            std::string::npos);
 }
 
 TEST_F(Validity, another_genus)
@@ -160,4 +161,7 @@ TEST(Validity_of_lines, boundary_and_constrained_edges)
   EXPECT_EQ(faults(is_valid_remeshing(plane, coarse)), "lines ");
 }
 
-TEST(Validity_of_lines, bad_input_is_refused) { EXPECT_THROW(is_valid_remeshing(Mesh(), made::plane(2)), std::invalid_argument); }
+TEST(Validity_of_lines, bad_input_is_refused)
+{
+  EXPECT_THROW(is_valid_remeshing(Mesh(), made::plane(2)), std::invalid_argument);
+}

@@ -103,7 +103,8 @@ int main(int argc, char* argv[])
     const std::size_t number = static_cast<std::size_t>(std::atol(argv[2]));
     const Mesh input = read(file);
     const Mesh output = remesh(input, number, argv[3]);
-    const auto validity = GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number).line_tolerance(1.));
+    const auto validity =
+        GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number).line_tolerance(1.));
     const std::string what = faults(validity);
     if(!what.empty())
       return std::cout << "INVALID:" << what << "\n", 1;

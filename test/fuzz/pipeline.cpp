@@ -29,7 +29,8 @@ Mesh mesh_of(const std::uint8_t* data, std::size_t size)
   std::vector<std::vector<std::size_t>> faces;
   std::size_t i = 1;
   for(; i + 2 < size && points.size() < number; i += 3)
-    points.emplace_back(static_cast<std::int8_t>(data[i]), static_cast<std::int8_t>(data[i + 1]), static_cast<std::int8_t>(data[i + 2]));
+    points.emplace_back(static_cast<std::int8_t>(data[i]), static_cast<std::int8_t>(data[i + 1]),
+                        static_cast<std::int8_t>(data[i + 2]));
   for(; i + 2 < size && !points.empty() && faces.size() < 80; i += 3)
     faces.push_back({data[i] % points.size(), data[i + 1] % points.size(), data[i + 2] % points.size()});
   PMP::repair_polygon_soup(points, faces);
@@ -41,7 +42,8 @@ Mesh mesh_of(const std::uint8_t* data, std::size_t size)
 
 bool is_sound(const GR::Remeshing_validity& v)
 {
-  return v.is_manifold && v.has_same_components && v.has_same_genus && v.has_same_boundary_loops && v.has_number_of_vertices && v.distance < 1e-6;
+  return v.is_manifold && v.has_same_components && v.has_same_genus && v.has_same_boundary_loops &&
+         v.has_number_of_vertices && v.distance < 1e-6;
 }
 
 } // namespace
@@ -52,7 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   const Mesh input = mesh_of(data + 2, size - 2);
   const std::size_t number = 3 + data[0];
-  const auto np = gp::number_of_iterations(data[1] & 3u).use_segmentation((data[1] & 4) == 0).use_defect_moves((data[1] & 8) == 0);
+  const auto np =
+      gp::number_of_iterations(data[1] & 3u).use_segmentation((data[1] & 4) == 0).use_defect_moves((data[1] & 8) == 0);
   Mesh output;
   try
   {

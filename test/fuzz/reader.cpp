@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const char* const formats[] = {"off", "obj", "ply", "stl", "ts"};
   if(size < 2)
     return 0;
-  std::ofstream(name, std::ios::binary).write(reinterpret_cast<const char*>(data + 1), static_cast<std::streamsize>(size - 1));
+  std::ofstream(name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data + 1), static_cast<std::streamsize>(size - 1));
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   try
   {
@@ -30,7 +31,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       std::abort();
   }
   catch(const command_line::Input_error&)
-  {
-  }
+  {}
   return 0;
 }

@@ -112,7 +112,8 @@ std::vector<double> color_regions(const Mesh& mesh, const Mesh::Property_map<Mes
   constexpr std::size_t number_of_colors = 8;
   std::vector<std::set<int>> earlier_neighbors(1 + *std::max_element(region.begin(), region.end()));
   for(const auto h : mesh.halfedges())
-    if(!mesh.is_border(h) && !mesh.is_border(mesh.opposite(h)) && region[mesh.face(mesh.opposite(h))] < region[mesh.face(h)])
+    if(!mesh.is_border(h) && !mesh.is_border(mesh.opposite(h)) &&
+       region[mesh.face(mesh.opposite(h))] < region[mesh.face(h)])
       earlier_neighbors[region[mesh.face(h)]].insert(region[mesh.face(mesh.opposite(h))]);
   std::vector<double> colors;
   std::vector<std::size_t> uses(number_of_colors, 0);
@@ -244,8 +245,10 @@ int main(int argc, char* argv[])
   try
   {
     if(argc != 8)
-      throw std::invalid_argument("usage: geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST FEATURE_ANGLE PARTS");
-    write_stages({argv[1], argv[3], std::stoi(argv[2]), std::string(argv[4]) == "yes", std::stod(argv[5]), std::stod(argv[6]), std::stoi(argv[7])});
+      throw std::invalid_argument(
+          "usage: geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST FEATURE_ANGLE PARTS");
+    write_stages({argv[1], argv[3], std::stoi(argv[2]), std::string(argv[4]) == "yes", std::stod(argv[5]),
+                  std::stod(argv[6]), std::stoi(argv[7])});
     return EXIT_SUCCESS;
   }
   catch(const std::exception& e)

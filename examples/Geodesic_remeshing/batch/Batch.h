@@ -86,7 +86,8 @@ public:
   Outcome remesh(const fs::path& model) const
   {
     const fs::path result = result_of(model), log = beside(result, ".log");
-    std::vector<std::string> words = {m_program, model.string(), result.string(), "--quiet", "--report", beside(result, ".json").string()};
+    std::vector<std::string> words = {m_program, model.string(), result.string(),
+                                      "--quiet", "--report",     beside(result, ".json").string()};
     words.insert(words.end(), m_options.begin(), m_options.end());
     const bool is_done = run(words, log);
     const Outcome outcome = is_done ? Outcome::done : interrupted != 0 ? Outcome::interrupted : Outcome::failed;
@@ -113,13 +114,17 @@ private:
     return m_output / (model.filename().string() + "." + (is_told ? option[1] : "off"));
   }
 
-  static fs::path beside(const fs::path& result, const std::string& ending) { return fs::path(result).replace_extension(ending); }
+  static fs::path beside(const fs::path& result, const std::string& ending)
+  {
+    return fs::path(result).replace_extension(ending);
+  }
 
   static bool is_mesh(const fs::path& file)
   {
     static const std::set<std::string> endings = {".off", ".obj", ".ply", ".stl", ".ts"};
     std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return endings.count(ending) == 1;
   }
 
@@ -176,7 +181,8 @@ private:
 class Batch_progress
 {
 public:
-  explicit Batch_progress(const Batch& batch) : m_batch(batch), m_on_terminal(command_line::standard_error_is_a_terminal())
+  explicit Batch_progress(const Batch& batch)
+    : m_batch(batch), m_on_terminal(command_line::standard_error_is_a_terminal())
   {
     if(batch.number_of_models_done_before() > 0)
       std::cerr << batch.number_of_models_done_before() << " models are done already\n";
@@ -187,8 +193,8 @@ public:
     if(outcome == Outcome::interrupted)
       return;
     ++m_count;
-    const std::string text =
-        "[" + std::to_string(m_count) + "/" + std::to_string(m_batch.models().size()) + "] " + model.filename().string();
+    const std::string text = "[" + std::to_string(m_count) + "/" + std::to_string(m_batch.models().size()) + "] " +
+                             model.filename().string();
     std::cerr << (m_on_terminal ? "\r\033[K" : "") << text;
     if(outcome == Outcome::failed)
     {
@@ -203,7 +209,8 @@ public:
   // The exit status: whether all models are done
   int end() const
   {
-    std::cerr << (m_on_terminal ? "\r\033[K" : "") << m_count - m_failures << " models remeshed, " << m_failures << " failed";
+    std::cerr << (m_on_terminal ? "\r\033[K" : "") << m_count - m_failures << " models remeshed, " << m_failures
+              << " failed";
     std::cerr << (interrupted != 0 ? "; interrupted: the same command goes on from here\n" : "\n");
     return m_failures == 0 && interrupted == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   }

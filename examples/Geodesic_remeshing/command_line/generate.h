@@ -52,7 +52,8 @@ inline void print_man_page(std::ostream& out, const std::string& version)
       << ".SH SYNOPSIS\n.B geodesic_remesh\n.I INPUT OUTPUT\n"
       << "(\\fB\\-\\-vertices\\fR \\fIN\\fR | \\fB\\-\\-faces\\fR \\fIN\\fR | \\fB\\-\\-edge\\-length\\fR \\fIL\\fR)\n"
       << "[\\fIoptions\\fR]\n"
-      << ".SH DESCRIPTION\n" << roff(description) << "\n"
+      << ".SH DESCRIPTION\n"
+      << roff(description) << "\n"
       << ".PP\nThe files appear as a whole or not at all. An error is one line on standard error.\n"
       << ".SH OPTIONS\n";
   print_man_options(out);
@@ -102,7 +103,9 @@ inline std::string zsh_argument(const po::option_description& option)
 {
   std::string text;
   for(const char c : option.description())
-    text += c == '\'' ? std::string("'\\''") : c == '[' || c == ']' || c == ':' ? std::string("\\") + c : std::string(1, c);
+    text += c == '\''                          ? std::string("'\\''")
+            : c == '[' || c == ']' || c == ':' ? std::string("\\") + c
+                                               : std::string(1, c);
   text = "'--" + option.long_name() + "[" + text + "]";
   if(!has_value(option))
     return text + "'";

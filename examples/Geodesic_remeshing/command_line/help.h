@@ -37,8 +37,7 @@ inline const std::vector<std::pair<std::string, std::string>>& usage_examples()
 {
   static const std::vector<std::pair<std::string, std::string>> examples = {
       {"5000 vertices", "geodesic_remesh bear.off out.off --vertices 5000"},
-      {"smaller triangles where the surface bends",
-       "geodesic_remesh bear.off out.ply --vertices 5000 --contrast 0.5"},
+      {"smaller triangles where the surface bends", "geodesic_remesh bear.off out.ply --vertices 5000 --contrast 0.5"},
       {"a machine part, its edges kept, with a report",
        "geodesic_remesh part.stl out.obj --edge-length 2 --feature-angle 60 --report part.json"},
       {"texture and all", "geodesic_remesh head.obj out.obj --faces 20000 --transfer"},

@@ -92,8 +92,9 @@ void visit_by_place(const Mesh& mesh, const Shown_mesh& shown, const Visit& visi
     middles.push_back(middle(mesh, f));
   }
   using Points = CGAL::Pointer_property_map<Point>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<mesh_quality::Kernel, Points>(CGAL::make_property_map(middles)));
+  CGAL::spatial_sort(
+      order.begin(), order.end(),
+      CGAL::Spatial_sort_traits_adapter_3<mesh_quality::Kernel, Points>(CGAL::make_property_map(middles)));
   for(const std::size_t i : order)
     visit(i, shown.faces[i]);
 }
@@ -112,12 +113,8 @@ inline nlohmann::ordered_json encoded_shape(const Mesh& mesh, const Shown_mesh& 
     angles.push_back(static_cast<std::uint8_t>(std::lround(4. * mesh_quality::smallest_angle(p))));
     qualities.push_back(to_byte(triangle_quality(p)));
   }
-  return {{"shown", shown.faces.size()},
-          {"faces", mesh.number_of_faces()},
-          {"positions", base64(positions)},
-          {"indices", base64(shown.indices)},
-          {"valence", base64(shown.valences)},
-          {"angle", base64(angles)},
+  return {{"shown", shown.faces.size()},      {"faces", mesh.number_of_faces()},   {"positions", base64(positions)},
+          {"indices", base64(shown.indices)}, {"valence", base64(shown.valences)}, {"angle", base64(angles)},
           {"quality", base64(qualities)}};
 }
 
@@ -164,7 +161,8 @@ inline std::string encoded_regions(const Shown_mesh& shown, const Region_map& re
 }
 
 // Of each face of the output the region that its middle is nearest to
-inline std::string encoded_nearest_regions(const Mesh& mesh, const Shown_mesh& shown, const Mesh& regions, const Region_map& region)
+inline std::string encoded_nearest_regions(const Mesh& mesh, const Shown_mesh& shown, const Mesh& regions,
+                                           const Region_map& region)
 {
   mesh_quality::Closest_point closest(regions);
   std::vector<std::uint16_t> numbers(shown.faces.size());
@@ -201,7 +199,8 @@ inline std::vector<std::size_t> angle_histogram(const Mesh& mesh)
   {
     const auto p = mesh_quality::corners(mesh, f);
     for(int i = 0; i < 3; ++i)
-      ++bins[(std::min)(std::size_t(59), static_cast<std::size_t>(mesh_quality::angle(p[i], p[(i + 1) % 3], p[(i + 2) % 3]) / 3.))];
+      ++bins[(std::min)(std::size_t(59),
+                        static_cast<std::size_t>(mesh_quality::angle(p[i], p[(i + 1) % 3], p[(i + 2) % 3]) / 3.))];
   }
   return bins;
 }
@@ -216,12 +215,13 @@ inline std::vector<std::size_t> valence_histogram(const Mesh& mesh)
   return bins;
 }
 
-inline nlohmann::ordered_json encoded_meshes(const Mesh& input, const Mesh& output, bool is_fitted, const Stage_results& stages,
-                                             const Frame& frame, double& largest_deviation)
+inline nlohmann::ordered_json encoded_meshes(const Mesh& input, const Mesh& output, bool is_fitted,
+                                             const Stage_results& stages, const Frame& frame, double& largest_deviation)
 {
   const Shown_mesh shown_input = shown_mesh(input, largest_number_of_shown_faces);
   const Shown_mesh shown_output = shown_mesh(output, largest_number_of_shown_faces);
-  const auto of_input = deviations(input, shown_input, output, true), of_output = deviations(output, shown_output, input, is_fitted);
+  const auto of_input = deviations(input, shown_input, output, true),
+             of_output = deviations(output, shown_output, input, is_fitted);
   largest_deviation = (std::max)(almost_largest(of_input), almost_largest(of_output));
   nlohmann::ordered_json meshes;
   meshes["input"] = encoded_shape(input, shown_input, frame);
@@ -242,16 +242,17 @@ inline nlohmann::ordered_json encoded_meshes(const Mesh& input, const Mesh& outp
 } // namespace internal
 
 // One page with everything in it: both meshes to turn with the mouse, histograms, tables
-inline void write_html(std::ostream& out, const std::string& title, const Report& report, const Mesh& input, const Mesh& output,
-                       const Stage_results& stages)
+inline void write_html(std::ostream& out, const std::string& title, const Report& report, const Mesh& input,
+                       const Mesh& output, const Stage_results& stages)
 {
   const Frame frame{CGAL::Polygon_mesh_processing::bbox(input)};
   double largest_deviation = 0.;
   nlohmann::ordered_json data;
   data["title"] = title;
   data["report"] = report_as_json(report);
-  data["histograms"] = {{"angles", {{"input", internal::angle_histogram(input)}, {"output", internal::angle_histogram(output)}}},
-                        {"valences", {{"input", internal::valence_histogram(input)}, {"output", internal::valence_histogram(output)}}}};
+  data["histograms"] = {
+      {"angles", {{"input", internal::angle_histogram(input)}, {"output", internal::angle_histogram(output)}}},
+      {"valences", {{"input", internal::valence_histogram(input)}, {"output", internal::valence_histogram(output)}}}};
   data["meshes"] = internal::encoded_meshes(input, output, report.is_fitted, stages, frame, largest_deviation);
   data["largest_deviation"] = 100. * largest_deviation / mesh_quality::diagonal(input);
   data["curves"] = internal::encoded_curves(stages, frame);

@@ -89,7 +89,8 @@ inline Input read_mesh(const Input_file& file, bool do_repair, double stitch_tol
     const std::size_t vertices_in_file = soup.points.size();
     std::vector<std::string> repairs;
     if(stitch_tolerance > 0.)
-      internal::tell(repairs, "stitched", internal::stitch(soup, stitch_tolerance), "vertices of the boundary to others");
+      internal::tell(repairs, "stitched", internal::stitch(soup, stitch_tolerance),
+                     "vertices of the boundary to others");
     const auto fault = internal::fault(soup);
     if(fault && !do_repair)
       throw Input_error(*fault);

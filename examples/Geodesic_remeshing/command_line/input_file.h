@@ -42,7 +42,8 @@ public:
     if(name != "-")
       return;
     set_binary(stdin);
-    m_contents = std::make_shared<std::string>(std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>());
+    m_contents =
+        std::make_shared<std::string>(std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>());
   }
 
   const std::string& name() const { return m_name; } // for messages

@@ -73,8 +73,9 @@ class Obj_reader
 {
 public:
   Obj_reader(const std::string& file_name, Mesh& mesh, Texture_map uv)
-    : m_file_name(file_name), m_mesh(mesh), m_index(mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value()),
-      m_uv(uv), m_face(mesh.faces().begin())
+    : m_file_name(file_name), m_mesh(mesh),
+      m_index(mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value()), m_uv(uv),
+      m_face(mesh.faces().begin())
   {}
 
   void read_line(const std::string& line)

@@ -45,7 +45,7 @@ struct Options
   bool use_segmentation = true;
   double feature_angle = 0.; // degrees; zero: features are not sought
   bool fit = false;
-  bool protect = false;       // lines keep their vertices and edges
+  bool protect = false; // lines keep their vertices and edges
   bool do_repair = true;
   double stitch_tolerance = 0.; // zero: boundaries stay apart
   bool transfer = false;
@@ -115,15 +115,17 @@ inline std::string file_name(const po::variables_map& values, const std::string&
 }
 
 // A number in [low, high], or in (low, high) if the ends are not allowed
-inline void read_number(const po::variables_map& values, const std::string& name, double low, double high, bool with_ends,
-                        double& result)
+inline void read_number(const po::variables_map& values, const std::string& name, double low, double high,
+                        bool with_ends, double& result)
 {
   if(values.count(name) == 0)
     return;
   const double value = values[name].as<double>();
   if(!std::isfinite(value) || value < low || value > high || (!with_ends && !(value > low && value < high)))
-    throw Usage_error("--" + name + (high < std::numeric_limits<double>::infinity() ? " must be between 0 and " + std::to_string(static_cast<int>(high))
-                                     : std::string(with_ends ? " must not be negative" : " must be a positive number")));
+    throw Usage_error("--" + name +
+                      (high < std::numeric_limits<double>::infinity()
+                           ? " must be between 0 and " + std::to_string(static_cast<int>(high))
+                           : std::string(with_ends ? " must not be negative" : " must be a positive number")));
   result = value;
 }
 

@@ -31,8 +31,8 @@ struct Report
   mesh_quality::Quality output;
   mesh_quality::Distance distance;
   CGAL::Geodesic_remeshing::Summary summary;
-  bool is_fitted = false; // whether vertices could leave the surface
-  double seconds = 0.; // user CPU of the remeshing as a whole
+  bool is_fitted = false;                                               // whether vertices could leave the surface
+  double seconds = 0.;                                                  // user CPU of the remeshing as a whole
   std::optional<CGAL::Geodesic_remeshing::Remeshing_validity> validity; // if it was asked for
 };
 

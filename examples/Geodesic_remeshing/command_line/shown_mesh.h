@@ -76,7 +76,9 @@ public:
 private:
   std::uint64_t key(const Point& p) const
   {
-    const auto at = [this](double x, double low) { return static_cast<std::uint64_t>(m_size > 0. ? (x - low) / m_size : 0.); };
+    const auto at = [this](double x, double low) {
+      return static_cast<std::uint64_t>(m_size > 0. ? (x - low) / m_size : 0.);
+    };
     return (at(p.x(), m_box.xmin()) << 42) | (at(p.y(), m_box.ymin()) << 21) | at(p.z(), m_box.zmin());
   }
 

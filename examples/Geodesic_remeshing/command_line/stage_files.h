@@ -29,17 +29,17 @@ constexpr int number_of_region_colors = 12;
 inline CGAL::IO::Color region_color(int region)
 {
   static const std::array<CGAL::IO::Color, number_of_region_colors> colors = {{{166, 206, 227},
-                                                          {31, 120, 180},
-                                                          {178, 223, 138},
-                                                          {51, 160, 44},
-                                                          {251, 154, 153},
-                                                          {227, 26, 28},
-                                                          {253, 191, 111},
-                                                          {255, 127, 0},
-                                                          {202, 178, 214},
-                                                          {106, 61, 154},
-                                                          {255, 255, 153},
-                                                          {177, 89, 40}}};
+                                                                               {31, 120, 180},
+                                                                               {178, 223, 138},
+                                                                               {51, 160, 44},
+                                                                               {251, 154, 153},
+                                                                               {227, 26, 28},
+                                                                               {253, 191, 111},
+                                                                               {255, 127, 0},
+                                                                               {202, 178, 214},
+                                                                               {106, 61, 154},
+                                                                               {255, 255, 153},
+                                                                               {177, 89, 40}}};
   return colors[static_cast<std::size_t>(region) % colors.size()];
 }
 

@@ -56,7 +56,8 @@ public:
       {
         // the cells of a row follow each other
         const Cell low{{middle[0] + x, middle[1] + y, middle[2] - 1.}}, high{{low[0], low[1], middle[2] + 1.}};
-        for(auto i = std::lower_bound(m_entries.begin(), m_entries.end(), Entry{low, 0}); i != m_entries.end() && i->first <= high; ++i)
+        for(auto i = std::lower_bound(m_entries.begin(), m_entries.end(), Entry{low, 0});
+            i != m_entries.end() && i->first <= high; ++i)
           if(CGAL::squared_distance(m_points[v], m_points[i->second]) <= m_distance * m_distance)
             visit(i->second);
       }

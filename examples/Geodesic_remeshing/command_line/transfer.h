@@ -67,13 +67,16 @@ public:
       carry();
     if(m_obj.colors)
     {
-      m_output_obj.colors = m_output.add_property_map<Mesh::Vertex_index, Color>("v:obj_color", Color(0., 0., 0.)).first;
-      CGAL::Geodesic_remeshing::transfer_vertex_property(m_input, *m_obj.colors, m_output, m_locations, *m_output_obj.colors);
+      m_output_obj.colors =
+          m_output.add_property_map<Mesh::Vertex_index, Color>("v:obj_color", Color(0., 0., 0.)).first;
+      CGAL::Geodesic_remeshing::transfer_vertex_property(m_input, *m_obj.colors, m_output, m_locations,
+                                                         *m_output_obj.colors);
     }
     if(!m_obj.texture)
       return;
     m_output_obj.texture = m_output.add_property_map<Mesh::Halfedge_index, Texture_coordinates>("h:uv").first;
-    CGAL::Geodesic_remeshing::transfer_corner_property(m_input, *m_obj.texture, m_output, m_locations, *m_output_obj.texture);
+    CGAL::Geodesic_remeshing::transfer_corner_property(m_input, *m_obj.texture, m_output, m_locations,
+                                                       *m_output_obj.texture);
   }
 
   bool is_from_obj() const { return m_obj.texture || m_obj.colors; }
@@ -93,14 +96,15 @@ private:
     {
       // as for any other damaged file
     }
-    if(!read || m_file.number_of_vertices() != vertices_in_file || m_file.number_of_faces() != m_input.number_of_faces())
+    if(!read || m_file.number_of_vertices() != vertices_in_file ||
+       m_file.number_of_faces() != m_input.number_of_faces())
       throw Input_error(file.name() + " has properties that cannot be read");
     for(const std::string& name : m_file.properties<Mesh::Vertex_index>())
-      add_vertex_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
-                          CGAL::IO::Color, mesh_quality::Kernel::Vector_3>(name);
+      add_vertex_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
+                          std::uint32_t, CGAL::IO::Color, mesh_quality::Kernel::Vector_3>(name);
     for(const std::string& name : m_file.properties<Mesh::Face_index>())
-      add_face_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
-                        CGAL::IO::Color>(name);
+      add_face_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
+                        std::uint32_t, CGAL::IO::Color>(name);
   }
 
   // With the one of these types that the property has
@@ -126,8 +130,8 @@ private:
     for(const auto v : m_input.vertices())
       values[v] = (*in_file)[Mesh::Vertex_index(static_cast<Mesh::size_type>(index[v]))];
     m_vertex_properties.push_back([this, name, values] {
-      CGAL::Geodesic_remeshing::transfer_vertex_property(m_input, values, m_output, m_locations,
-                                                         m_output.add_property_map<Mesh::Vertex_index, Value>(name).first);
+      CGAL::Geodesic_remeshing::transfer_vertex_property(
+          m_input, values, m_output, m_locations, m_output.add_property_map<Mesh::Vertex_index, Value>(name).first);
     });
   }
 

@@ -216,7 +216,7 @@ struct One_sided_distance
 };
 
 // In an order in which each is near the one before, whatever that of the mesh is: it makes the queries several times as fast.
-template<typename Index, typename Point_of_index>
+template <typename Index, typename Point_of_index>
 void sort_in_space(std::vector<Index>& indices, const Point_of_index& point_of)
 {
   const auto points = boost::make_function_property_map<Index, Point>(point_of);

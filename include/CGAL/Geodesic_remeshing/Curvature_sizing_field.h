@@ -119,9 +119,10 @@ public:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     internal::check_parameters<
-      NamedParameters, internal::Parameters_of_mesh::And<
-                         internal_np::contrast_t, internal_np::gaussian_weight_t, internal_np::mean_weight_t, internal_np::ball_radius_t,
-                         internal_np::gradation_t, internal_np::minimum_length_t, internal_np::maximum_length_t>>();
+        NamedParameters, internal::Parameters_of_mesh::And<internal_np::contrast_t, internal_np::gaussian_weight_t,
+                                                           internal_np::mean_weight_t, internal_np::ball_radius_t,
+                                                           internal_np::gradation_t, internal_np::minimum_length_t,
+                                                           internal_np::maximum_length_t>>();
     internal::Curvature_weights weights;
     weights.contrast = choose_parameter(get_parameter(np, internal_np::contrast), weights.contrast);
     weights.gaussian = choose_parameter(get_parameter(np, internal_np::gaussian_weight), weights.gaussian);

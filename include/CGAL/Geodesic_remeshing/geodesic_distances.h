@@ -32,19 +32,18 @@ namespace internal {
 template <typename Graph, typename T>
 struct is_surface_point
   : std::integral_constant<bool, std::is_convertible<T, typename boost::graph_traits<Graph>::vertex_descriptor>::value>
-{
-};
+{};
 
 template <typename Graph, typename Face, typename Coordinates>
 struct is_surface_point<Graph, std::pair<Face, Coordinates>> : std::true_type
-{
-};
+{};
 
 template <typename Metric, typename NamedParameters, typename VertexDistanceMap>
 void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Front_shape shape,
                 VertexDistanceMap vertex_distance_map, const NamedParameters& np)
 {
-  check_parameters<NamedParameters, Parameters_of_mesh::And<internal_np::vertex_weight_map_t, internal_np::maximum_distance_t>>();
+  check_parameters<NamedParameters,
+                   Parameters_of_mesh::And<internal_np::vertex_weight_map_t, internal_np::maximum_distance_t>>();
   const double maximum_distance = choose_parameter(get_parameter(np, CGAL::internal_np::maximum_distance), infinity);
   const Intrinsic_triangulation triangulation = triangulate_intrinsically(metric, sources.faces());
   Fast_marching marching(triangulation);

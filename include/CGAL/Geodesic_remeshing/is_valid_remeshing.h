@@ -31,18 +31,20 @@ namespace Geodesic_remeshing {
  */
 struct Remeshing_validity
 {
-  bool is_manifold = false;            ///< triangles only, each edge with one or two faces, one fan of faces at each vertex
-  bool has_same_components = false;    ///< as many connected components as the input
-  bool has_same_genus = false;         ///< the same genus, all components together
+  bool is_manifold = false; ///< triangles only, each edge with one or two faces, one fan of faces at each vertex
+  bool has_same_components = false;     ///< as many connected components as the input
+  bool has_same_genus = false;          ///< the same genus, all components together
   bool has_same_boundary_loops = false; ///< as many boundary loops as the input
-  std::size_t number_of_vertices = 0;  ///< of the output
+  std::size_t number_of_vertices = 0;   ///< of the output
   /// whether that is the number asked for; true if none was named
   bool has_number_of_vertices = false;
-  double distance = 0.;                ///< the largest one of an output vertex from the input surface, divided by the diagonal of its box
-  bool is_on_surface = false;          ///< the distance is at most the tolerance
-  std::size_t degenerate_faces = 0;    ///< of the output: with three points on a line
-  std::size_t flipped_faces = 0;       ///< of the output: looking against the input surface at their centre and at all their corners
-  std::size_t self_intersections = 0;  ///< pairs of faces of the output that intersect but in what they share
+  double distance =
+      0.; ///< the largest one of an output vertex from the input surface, divided by the diagonal of its box
+  bool is_on_surface = false;       ///< the distance is at most the tolerance
+  std::size_t degenerate_faces = 0; ///< of the output: with three points on a line
+  std::size_t flipped_faces =
+      0; ///< of the output: looking against the input surface at their centre and at all their corners
+  std::size_t self_intersections = 0;   ///< pairs of faces of the output that intersect but in what they share
   bool input_intersects_itself = false; ///< then the output may
   /// the largest distance of a constrained edge or a boundary edge of the input from the edges of the output, divided by the diagonal
   double line_distance = 0.;
@@ -64,8 +66,9 @@ struct Remeshing_validity
  */
 inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& validity)
 {
-  const auto line = [&out](const char* what, bool holds, const std::string& figure = {})
-  { out << what << (holds ? "yes" : "NO") << (figure.empty() ? "" : "  (" + figure + ")") << "\n"; };
+  const auto line = [&out](const char* what, bool holds, const std::string& figure = {}) {
+    out << what << (holds ? "yes" : "NO") << (figure.empty() ? "" : "  (" + figure + ")") << "\n";
+  };
   const auto number = [](double x) { return internal::short_number(x); };
   line("manifold              ", validity.is_manifold);
   line("same components       ", validity.has_same_components);
@@ -164,9 +167,10 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   using namespace internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  check_parameters<NamedParametersIn,
-                   Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::expected_number_of_vertices_t,
-                                           internal_np::surface_tolerance_t, internal_np::line_tolerance_t>>();
+  check_parameters<
+      NamedParametersIn,
+      Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::expected_number_of_vertices_t,
+                              internal_np::surface_tolerance_t, internal_np::line_tolerance_t>>();
   check_parameters<NamedParametersOut, Parameters_of_mesh>();
   Remeshing_validity result;
   Input_surface<TriangleMesh> input;
@@ -187,16 +191,18 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   result.has_same_genus = comparison.input_shape().twice_genus() == comparison.output_shape().twice_genus();
   result.number_of_vertices = output.mesh.number_of_vertices();
   const auto expected = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np_in, internal_np::expected_number_of_vertices), result.number_of_vertices));
+      choose_parameter(get_parameter(np_in, internal_np::expected_number_of_vertices), result.number_of_vertices));
   result.has_number_of_vertices = expected == result.number_of_vertices;
   result.distance = comparison.distance_of_vertices();
-  result.is_on_surface = result.distance <= choose_parameter(get_parameter(np_in, internal_np::surface_tolerance), 1e-9);
+  result.is_on_surface =
+      result.distance <= choose_parameter(get_parameter(np_in, internal_np::surface_tolerance), 1e-9);
   result.degenerate_faces = comparison.number_of_degenerate_faces();
   result.flipped_faces = comparison.number_of_flipped_faces();
   result.self_intersections = number_of_self_intersections(output.mesh);
   result.input_intersects_itself = result.self_intersections > 0 && number_of_self_intersections(input.mesh) > 0;
   result.line_distance = comparison.distance_of_lines(constrained_edges_of(tmesh, input.mesh, np_in));
-  result.covers_lines = result.line_distance <= choose_parameter(get_parameter(np_in, internal_np::line_tolerance), .01);
+  result.covers_lines =
+      result.line_distance <= choose_parameter(get_parameter(np_in, internal_np::line_tolerance), .01);
   return result;
 }
 

@@ -33,12 +33,15 @@ namespace Geodesic_remeshing {
 template <class VertexDescriptor>
 struct Region_node
 {
-  Region_kind kind;                  ///< leaf, interior or root
-  std::vector<std::size_t> parents;  ///< the regions below: none for a root, two below the saddle where a front splits at a handle, else one
+  Region_kind kind; ///< leaf, interior or root
+  std::vector<std::size_t>
+      parents; ///< the regions below: none for a root, two below the saddle where a front splits at a handle, else one
   std::vector<std::size_t> children; ///< the regions above: none for a leaf
-  VertexDescriptor centre;           ///< the maximum of a leaf, the root vertex, or the saddle where the fronts above meet (or the vertex next to it)
-  double height;                     ///< the distance from the top to the bottom: a multiple of the curve distance, but for the root; 0 for a region that degenerates to its top
-  std::size_t number_of_curves;      ///< the equidistant curves in it, its bottom included
+  VertexDescriptor
+      centre; ///< the maximum of a leaf, the root vertex, or the saddle where the fronts above meet (or the vertex next to it)
+  double
+      height; ///< the distance from the top to the bottom: a multiple of the curve distance, but for the root; 0 for a region that degenerates to its top
+  std::size_t number_of_curves; ///< the equidistant curves in it, its bottom included
 };
 
 /*!
@@ -59,8 +62,9 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
   for(Face f : working.mesh.faces())
   {
     const auto v = vertices_of(working.mesh, f);
-    parts.emplace_back(working.input_face[f], region_of_face(working.mesh, segmentation, f),
-                       std::sqrt(CGAL::squared_area(working.mesh.point(v[0]), working.mesh.point(v[1]), working.mesh.point(v[2]))));
+    parts.emplace_back(
+        working.input_face[f], region_of_face(working.mesh, segmentation, f),
+        std::sqrt(CGAL::squared_area(working.mesh.point(v[0]), working.mesh.point(v[1]), working.mesh.point(v[2]))));
   }
   std::sort(parts.begin(), parts.end());
   std::vector<int> result(surface.number_of_faces(), 0);
@@ -155,7 +159,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   Fast_marching marching(triangulation);
   const Fronts_and_components fronts = march_from_roots_and_lines(input.mesh, working.mesh, is_corner, marching);
   const Segmentation segmentation =
-    segment(working.mesh, marching, distances_in(marching, working.mesh), fronts, curve_distance, true);
+      segment(working.mesh, marching, distances_in(marching, working.mesh), fronts, curve_distance, true);
 
   const std::vector<int> regions = regions_of_input_faces(input.mesh, working, segmentation);
   Region_tree<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> tree;

@@ -73,8 +73,10 @@ public:
         result[begin[m_cell[v]]++] = v;
     // now each begins where the next one did
     for(std::size_t i = 0, first = 0; i + 1 < begin.size(); first = begin[i++])
-      std::sort(result.begin() + first, result.begin() + begin[i], [this](Vertex v, Vertex w)
-      { return std::make_tuple(!m_is_on_line[v], m_distance[v], v) < std::make_tuple(!m_is_on_line[w], m_distance[w], w); });
+      std::sort(result.begin() + first, result.begin() + begin[i], [this](Vertex v, Vertex w) {
+        return std::make_tuple(!m_is_on_line[v], m_distance[v], v) <
+               std::make_tuple(!m_is_on_line[w], m_distance[w], w);
+      });
     return result;
   }
 
@@ -89,8 +91,7 @@ private:
   {
     constexpr std::size_t most_rounds = 1024;
     std::vector<std::vector<std::pair<double, Vertex>>> rounds(1);
-    const auto enter = [&](double distance, Vertex v)
-    {
+    const auto enter = [&](double distance, Vertex v) {
       const std::size_t i = distance < most_rounds * step ? static_cast<std::size_t>(distance / step) : most_rounds;
       if(i >= rounds.size())
         rounds.resize(i + 1);

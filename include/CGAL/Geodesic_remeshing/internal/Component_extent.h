@@ -156,8 +156,9 @@ double edge_length_for(const std::vector<Extent>& extents, std::size_t vertices,
 {
   const double by_area = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), vertices);
   const double number = static_cast<double>(vertices);
-  const auto number_at = [&](double edge_length)
-  { return sum_of_wanted(extents, [&](const Extent& e) { return wanted(e, edge_length); }); };
+  const auto number_at = [&](double edge_length) {
+    return sum_of_wanted(extents, [&](const Extent& e) { return wanted(e, edge_length); });
+  };
   if(std::abs(number_at(by_area) - number) < 1e-9 * number)
     return by_area;
   double low = .5 * by_area, high = 2. * by_area;

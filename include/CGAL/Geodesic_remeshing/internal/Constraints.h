@@ -31,7 +31,9 @@ struct Constraints
 
 private:
   static bool has_any(const std::vector<char>& marks)
-  { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
+  {
+    return std::find(marks.begin(), marks.end(), 1) != marks.end();
+  }
 };
 
 // Whether a place is a vertex of the surface that is a corner, but for rounding

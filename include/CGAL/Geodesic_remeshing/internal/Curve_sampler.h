@@ -38,8 +38,8 @@ public:
                 const Level_curves& curves, const Line_samples& lines, double edge_length, double spacing,
                 std::size_t expected)
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
-      m_segmentation(segmentation), m_curves(curves), m_lines(lines),
-      m_edge_length(edge_length), m_spacing(spacing), m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines)
+      m_segmentation(segmentation), m_curves(curves), m_lines(lines), m_edge_length(edge_length), m_spacing(spacing),
+      m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines)
   {
     m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
   }
@@ -74,14 +74,14 @@ private:
   bool add_vertex(Vertex v, bool is_pinned)
   {
     const Face f = face_at(m_mesh, v);
-    if(!m_samples.is_free(f, m_mesh.point(v), m_metric.size(v), m_samples.size())
-       || (!m_lines.distance.empty() && m_lines.distance[v] < room_beside_lines * m_edge_length))
+    if(!m_samples.is_free(f, m_mesh.point(v), m_metric.size(v), m_samples.size()) ||
+       (!m_lines.distance.empty() && m_lines.distance[v] < room_beside_lines * m_edge_length))
       return false;
     std::array<double, 3> weights = {{0., 0., 0.}};
     for(int i = 0; i < 3; ++i)
       weights[i] = vertices_of(m_mesh, f)[i] == v ? 1. : 0.;
-    m_samples.add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), m_metric.size(v), is_pinned,
-               m_segmentation.field_region[v], 0});
+    m_samples.add(Sample{f, place_on_input(m_surface, m_working, f, weights), m_mesh.point(v), m_metric.size(v),
+                         is_pinned, m_segmentation.field_region[v], 0});
     return true;
   }
 
@@ -107,14 +107,16 @@ private:
     std::vector<Path_point> path;
     std::size_t middle = bridge.size() / 2;
     for(std::size_t i = 0; i < bridge.size(); ++i)
-      if(m_segmentation.level[bridge[i]] > m_segmentation.regions[m_segmentation.field_region[bridge[i]]].number_of_levels)
+      if(m_segmentation.level[bridge[i]] >
+         m_segmentation.regions[m_segmentation.field_region[bridge[i]]].number_of_levels)
         middle = i; // on the bridge proper, beyond the curves of the regions above
     std::size_t low = middle, high = middle, crossing_low = 0, crossing_high = 0;
     double t_low = 0., t_high = 0.;
     bool cut_low = false, cut_high = false;
     while(low > 0 && !(cut_low = first_crossing(bridge[low], bridge[low - 1], crossing_low, t_low)))
       --low;
-    while(high + 1 < bridge.size() && !(cut_high = first_crossing(bridge[high], bridge[high + 1], crossing_high, t_high)))
+    while(high + 1 < bridge.size() &&
+          !(cut_high = first_crossing(bridge[high], bridge[high + 1], crossing_high, t_high)))
       ++high;
     if(cut_low)
     {
@@ -243,26 +245,27 @@ private:
     for(int i = 0; i < n; ++i)
     {
       const double s = i * step;
-      const std::size_t j = (std::min)(std::size_t(std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin()),
-                                       lengths.size() - 1);
+      const std::size_t j = (std::min)(
+          std::size_t(std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin()), lengths.size() - 1);
       const double l = lengths[j] - lengths[j - 1];
       if(!(l > 0.))
         continue;
-      const Vector tangent = (m_path.point(j).point - m_path.point(j - 1).point) / l; // a unit vector, but for the density
+      const Vector tangent =
+          (m_path.point(j).point - m_path.point(j - 1).point) / l; // a unit vector, but for the density
       const Point here = m_path.point(j - 1).point + (s - lengths[j - 1]) * tangent;
       const double density = .5 * (m_path.point(j - 1).density + m_path.point(j).density);
-      m_samples.for_each_near(here, 1. / density, 1.3 * m_edge_length / density, [&](const Sample& other, const Point& q)
-      {
-        if(!is_before(other, curve))
-          return;
-        const double offset = density * density * ((q - here) * tangent);
-        if(std::abs(offset) > .75 * step)
-          return; // another step's business
-        // the vote on the square |x| + |y| = 1 in place of the circle: as good a direction, and no sine
-        const double turn = offset / step - std::floor(offset / step); // in [0, 1)
-        x += turn < .5 ? 1. - 4. * turn : 4. * turn - 3.;
-        y += turn < .25 ? 4. * turn : (turn < .75 ? 2. - 4. * turn : 4. * turn - 4.);
-      });
+      m_samples.for_each_near(here, 1. / density, 1.3 * m_edge_length / density,
+                              [&](const Sample& other, const Point& q) {
+                                if(!is_before(other, curve))
+                                  return;
+                                const double offset = density * density * ((q - here) * tangent);
+                                if(std::abs(offset) > .75 * step)
+                                  return; // another step's business
+                                // the vote on the square |x| + |y| = 1 in place of the circle: as good a direction, and no sine
+                                const double turn = offset / step - std::floor(offset / step); // in [0, 1)
+                                x += turn < .5 ? 1. - 4. * turn : 4. * turn - 3.;
+                                y += turn < .25 ? 4. * turn : (turn < .75 ? 2. - 4. * turn : 4. * turn - 4.);
+                              });
     }
     if(x * x + y * y < 1e-12)
       return 0.;
@@ -288,8 +291,8 @@ private:
       for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       {
         const Vertex w = m_mesh.source(h);
-        is_peak = is_peak && s.field_region[w] == s.field_region[v] && s.level[w] <= s.level[v]
-               && (s.field[w] < s.field[v] || (!(s.field[v] < s.field[w]) && w < v));
+        is_peak = is_peak && s.field_region[w] == s.field_region[v] && s.level[w] <= s.level[v] &&
+                  (s.field[w] < s.field[v] || (!(s.field[v] < s.field[w]) && w < v));
       }
       if(is_peak)
         add_vertex(v, false);

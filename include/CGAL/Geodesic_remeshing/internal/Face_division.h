@@ -59,7 +59,9 @@ public:
 
 private:
   bool counts_forward(int i, bool from_source) const
-  { return (m_mesh.halfedge(m_mesh.edge(halfedge(i)), 0) == halfedge(i)) == from_source; }
+  {
+    return (m_mesh.halfedge(m_mesh.edge(halfedge(i)), 0) == halfedge(i)) == from_source;
+  }
 
   std::size_t crossing(int i, std::ptrdiff_t j, bool from_source) const
   {
@@ -84,14 +86,12 @@ inline std::pair<std::vector<std::size_t>, std::size_t> find_strips(const Mesh& 
 {
   std::vector<std::size_t> strip(curves.crossings.size() + mesh.number_of_edges());
   std::iota(strip.begin(), strip.end(), std::size_t(0));
-  const auto find = [&](std::size_t i)
-  {
+  const auto find = [&](std::size_t i) {
     while(strip[i] != i)
       i = strip[i] = strip[strip[i]];
     return i;
   };
-  const auto unite = [&](std::size_t i, std::size_t j)
-  {
+  const auto unite = [&](std::size_t i, std::size_t j) {
     i = find(i);
     j = find(j);
     strip[(std::max)(i, j)] = (std::min)(i, j);

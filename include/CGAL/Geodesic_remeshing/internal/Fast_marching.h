@@ -38,8 +38,7 @@ class Fast_marching
 public:
   explicit Fast_marching(const Intrinsic_triangulation& triangulation)
     : m_triangulation(&triangulation), m_state(triangulation.number_of_vertices())
-  {
-  }
+  {}
 
   const Intrinsic_triangulation& triangulation() const { return *m_triangulation; }
 

@@ -41,61 +41,77 @@ public:
   static constexpr Index none = Lean_triangulation::none;
 
   // What is kept of a foot
-  struct Assigned { Index face; double squared_distance, penalty; };
+  struct Assigned
+  {
+    Index face;
+    double squared_distance, penalty;
+  };
 
   Fit_assignment(const Remeshed_surface& remeshed, std::vector<Fit_sample> samples, double penalty);
 
-  Index number_of_samples() const { return static_cast<Index>(samples_.size()); }
-  const Fit_sample& sample(const Index i) const { return samples_[i]; }
-  const Assigned& assigned(const Index i) const { return assigned_[i]; }
-  bool is_assigned(const Index i) const { return assigned_[i].face != none; }   // not on a component without vertices
-  Foot foot(const Index i) const { return search_.foot_in(assigned_[i].face, samples_[i].point, samples_[i].normal); }
-  Foot search(const Index i) const { return search_.run(assigned_[i].face, samples_[i].point, samples_[i].normal); }
+  Index number_of_samples() const { return static_cast<Index>(m_samples.size()); }
+  const Fit_sample& sample(const Index i) const { return m_samples[i]; }
+  const Assigned& assigned(const Index i) const { return m_assigned[i]; }
+  bool is_assigned(const Index i) const { return m_assigned[i].face != none; } // not on a component without vertices
+  Foot foot(const Index i) const
+  {
+    return m_search.foot_in(m_assigned[i].face, m_samples[i].point, m_samples[i].normal);
+  }
+  Foot search(const Index i) const { return m_search.run(m_assigned[i].face, m_samples[i].point, m_samples[i].normal); }
   static Assigned summary(const Foot& foot) { return {foot.face, foot.nearest.squared_distance, foot.penalty()}; }
 
-  template <class Visit> void for_each_sample_of(const Index f, const Visit& visit) const
+  template <class Visit>
+  void for_each_sample_of(const Index f, const Visit& visit) const
   {
-    for(Index i = first_[f]; i != none; i = links_[i].next)
+    for(Index i = m_first[f]; i != none; i = m_links[i].next)
       visit(i);
   }
 
   void assign(Index i, const Assigned& assigned);
   void search_all();
-  void move_samples(Index from, Index to);     // of a face that is about to disappear to where their searches are to start
-  void grow() { first_.resize(table_.face_slots(), none); }
+  void move_samples(Index from, Index to); // of a face that is about to disappear to where their searches are to start
+  void grow() { m_first.resize(m_table.face_slots(), none); }
 
   // A trial, as those of `Remeshed_surface`
-  void record() { is_recording_ = true; }
-  std::size_t mark() const { return journal_.size(); }
+  void record() { m_is_recording = true; }
+  std::size_t mark() const { return m_journal.size(); }
   void undo_to(std::size_t mark);
-  void forget() { journal_.clear(); is_recording_ = false; }
+  void forget()
+  {
+    m_journal.clear();
+    m_is_recording = false;
+  }
 
 private:
-  struct Link { Index next, previous; };
+  struct Link
+  {
+    Index next, previous;
+  };
 
   Foot first_foot(const Fit_sample& sample, const Nearest_vertices& nearest) const;
   void unlink(Index i);
 
-  const Remeshed_surface& remeshed_;
-  const Lean_triangulation& table_;
-  const Search search_;
-  std::vector<Fit_sample> samples_;
-  std::vector<Assigned> assigned_;
-  std::vector<Link> links_;                                   // of the samples of a face
-  std::vector<Index> first_;                                  // of a face
-  std::vector<std::pair<Index, Assigned>> journal_;
-  bool is_recording_ = false;
+  const Remeshed_surface& m_remeshed;
+  const Lean_triangulation& m_table;
+  const Search m_search;
+  std::vector<Fit_sample> m_samples;
+  std::vector<Assigned> m_assigned;
+  std::vector<Link> m_links;  // of the samples of a face
+  std::vector<Index> m_first; // of a face
+  std::vector<std::pair<Index, Assigned>> m_journal;
+  bool m_is_recording = false;
 };
 
 inline Fit_assignment::Fit_assignment(const Remeshed_surface& remeshed, std::vector<Fit_sample> samples,
                                       const double penalty)
-  : remeshed_(remeshed), table_(remeshed.connectivity()), search_(table_, {&remeshed}, penalty)
-  , samples_(std::move(samples)), assigned_(samples_.size(), Assigned{none, 0., 0.})
-  , links_(samples_.size(), Link{none, none}), first_(table_.face_slots(), none)
+  : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_search(m_table, {&remeshed}, penalty),
+    m_samples(std::move(samples)), m_assigned(m_samples.size(), Assigned{none, 0., 0.}),
+    m_links(m_samples.size(), Link{none, none}), m_first(m_table.face_slots(), none)
 {
   const Nearest_vertices nearest(remeshed);
-  for(Index i = 0; i < samples_.size(); ++i) {
-    const Foot foot = first_foot(samples_[i], nearest);
+  for(Index i = 0; i < m_samples.size(); ++i)
+  {
+    const Foot foot = first_foot(m_samples[i], nearest);
     if(foot.face != none)
       assign(i, summary(foot));
   }
@@ -103,13 +119,15 @@ inline Fit_assignment::Fit_assignment(const Remeshed_surface& remeshed, std::vec
 
 inline Fit_assignment::Foot Fit_assignment::first_foot(const Fit_sample& sample, const Nearest_vertices& nearest) const
 {
-  const Lean_triangulation& input = remeshed_.walker().triangulation();
+  const Lean_triangulation& input = m_remeshed.walker().triangulation();
   Index vertex = none;
   double least = infinity;
-  for(Index h = 4 * sample.face; h < 4 * sample.face + 3; ++h) {
+  for(Index h = 4 * sample.face; h < 4 * sample.face + 3; ++h)
+  {
     const Index v = nearest.vertex[input.source(h)];
-    const double distance = v == none ? infinity : CGAL::squared_distance(sample.point, remeshed_.spot(v).point);
-    if(distance < least) {
+    const double distance = v == none ? infinity : CGAL::squared_distance(sample.point, m_remeshed.spot(v).point);
+    if(distance < least)
+    {
       least = distance;
       vertex = v;
     }
@@ -117,60 +135,62 @@ inline Fit_assignment::Foot Fit_assignment::first_foot(const Fit_sample& sample,
   Foot best{none, {}, infinity};
   if(vertex == none)
     return best;
-  table_.for_each_outgoing(vertex, [&](const Index h) {
-    const Foot foot = search_.foot_in(Lean_triangulation::face(h), sample.point, sample.normal);
+  m_table.for_each_outgoing(vertex, [&](const Index h) {
+    const Foot foot = m_search.foot_in(Lean_triangulation::face(h), sample.point, sample.normal);
     if(foot.judged_distance < best.judged_distance)
       best = foot;
   });
-  return search_.run(best.face, sample.point, sample.normal);
+  return m_search.run(best.face, sample.point, sample.normal);
 }
 
 inline void Fit_assignment::unlink(const Index i)
 {
-  const Link& link = links_[i];
-  (link.previous == none ? first_[assigned_[i].face] : links_[link.previous].next) = link.next;
+  const Link& link = m_links[i];
+  (link.previous == none ? m_first[m_assigned[i].face] : m_links[link.previous].next) = link.next;
   if(link.next != none)
-    links_[link.next].previous = link.previous;
+    m_links[link.next].previous = link.previous;
 }
 
 inline void Fit_assignment::assign(const Index i, const Assigned& assigned)
 {
-  if(is_recording_)
-    journal_.push_back({i, assigned_[i]});
-  if(assigned_[i].face != assigned.face) {
-    if(assigned_[i].face != none)
+  if(m_is_recording)
+    m_journal.push_back({i, m_assigned[i]});
+  if(m_assigned[i].face != assigned.face)
+  {
+    if(m_assigned[i].face != none)
       unlink(i);
-    Index& first = first_[assigned.face];
-    links_[i] = {first, none};
+    Index& first = m_first[assigned.face];
+    m_links[i] = {first, none};
     if(first != none)
-      links_[first].previous = i;
+      m_links[first].previous = i;
     first = i;
   }
-  assigned_[i] = assigned;
+  m_assigned[i] = assigned;
 }
 
 inline void Fit_assignment::search_all()
 {
-  for(Index i = 0; i < samples_.size(); ++i)
+  for(Index i = 0; i < m_samples.size(); ++i)
     if(is_assigned(i))
       assign(i, summary(search(i)));
 }
 
 inline void Fit_assignment::move_samples(const Index from, const Index to)
 {
-  while(first_[from] != none) {
-    const Assigned& old = assigned_[first_[from]];
-    assign(first_[from], {to, old.squared_distance, old.penalty});
+  while(m_first[from] != none)
+  {
+    const Assigned& old = m_assigned[m_first[from]];
+    assign(m_first[from], {to, old.squared_distance, old.penalty});
   }
 }
 
 inline void Fit_assignment::undo_to(const std::size_t mark)
 {
-  const bool was_recording = is_recording_;
-  is_recording_ = false;
-  for(; journal_.size() > mark; journal_.pop_back())
-    assign(journal_.back().first, journal_.back().second);
-  is_recording_ = was_recording;
+  const bool was_recording = m_is_recording;
+  m_is_recording = false;
+  for(; m_journal.size() > mark; m_journal.pop_back())
+    assign(m_journal.back().first, m_journal.back().second);
+  m_is_recording = was_recording;
 }
 
 } // namespace internal

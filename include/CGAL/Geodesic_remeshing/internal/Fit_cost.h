@@ -24,26 +24,31 @@ namespace internal {
 class Fit_cost
 {
 public:
-  void set_tolerance(const double tolerance) { inverse_tolerance_ = tolerance > 0. ? 1. / CGAL::square(tolerance) : 0.; }
+  void set_tolerance(const double tolerance)
+  {
+    m_inverse_tolerance = tolerance > 0. ? 1. / CGAL::square(tolerance) : 0.;
+  }
 
-  template <class Foot> double operator()(const Foot& foot) const
+  template <class Foot>
+  double operator()(const Foot& foot) const
   {
     return of(foot.nearest.squared_distance) + foot.penalty();
   }
   double of(const double squared_distance) const
   {
-    const double x = squared_distance * inverse_tolerance_;
+    const double x = squared_distance * m_inverse_tolerance;
     return squared_distance * (1. + x * x);
   }
   // The weight with which a sum of squares has the same slope
-  template <class Foot> double weight(const Foot& foot) const
+  template <class Foot>
+  double weight(const Foot& foot) const
   {
-    const double x = foot.nearest.squared_distance * inverse_tolerance_;
+    const double x = foot.nearest.squared_distance * m_inverse_tolerance;
     return 1. + 3. * x * x;
   }
 
 private:
-  double inverse_tolerance_ = 0.;
+  double m_inverse_tolerance = 0.;
 };
 
 // The step of a vertex at which a sum of squared lengths is the least, each that of a difference along a direction.
@@ -54,8 +59,12 @@ struct Fit_system
 
   void add_square(const Vector& u, const double weight)
   {
-    xx += weight * u.x() * u.x(); xy += weight * u.x() * u.y(); xz += weight * u.x() * u.z();
-    yy += weight * u.y() * u.y(); yz += weight * u.y() * u.z(); zz += weight * u.z() * u.z();
+    xx += weight * u.x() * u.x();
+    xy += weight * u.x() * u.y();
+    xz += weight * u.x() * u.z();
+    yy += weight * u.y() * u.y();
+    yz += weight * u.y() * u.z();
+    zz += weight * u.z() * u.z();
   }
 
   // A deviation along the way to the nearest point, which the step changes by a share, the vertex' coordinate there. It is the
@@ -84,7 +93,8 @@ struct Fit_system
     const double s = xx * zz - xz * xz, t = xy * xz - xx * yz, u = xx * yy - xy * xy;
     const double determinant = xx * p + xy * q + xz * r;
     return Vector(p * right.x() + q * right.y() + r * right.z(), q * right.x() + s * right.y() + t * right.z(),
-                  r * right.x() + t * right.y() + u * right.z()) / determinant;
+                  r * right.x() + t * right.y() + u * right.z()) /
+           determinant;
   }
 };
 

@@ -40,25 +40,28 @@ public:
   static constexpr Index none = Lean_triangulation::none;
 
   Fit_probes(const Remeshed_surface& remeshed, const double penalty)
-    : remeshed_(remeshed), table_(remeshed.connectivity())
-    , search_(remeshed.walker().triangulation(), {&remeshed.walker()}, penalty) { grow(); }
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()),
+      m_search(remeshed.walker().triangulation(), {&remeshed.walker()}, penalty)
+  {
+    grow();
+  }
 
   void grow()
   {
-    center_.resize(table_.face_slots(), none);
-    middle_.resize(4 * table_.face_slots(), none);
+    m_center.resize(m_table.face_slots(), none);
+    m_middle.resize(4 * m_table.face_slots(), none);
   }
-  void forget(const Index f)                   // it is another face now
+  void forget(const Index f) // it is another face now
   {
-    center_[f] = none;
+    m_center[f] = none;
     for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      middle_[h] = none;
+      m_middle[h] = none;
   }
 
   Foot at_center(Index f);
   Foot at_middle(Index h);
-  Foot at_vertex(const Index v) const { return nearest(point(v), remeshed_.spot(v).place.face); }
-  Foot nearest(const Point& p, const Index start) const { return search_.run(start, p, Vector(0., 0., 0.)); }
+  Foot at_vertex(const Index v) const { return nearest(point(v), m_remeshed.spot(v).place.face); }
+  Foot nearest(const Point& p, const Index start) const { return m_search.run(start, p, Vector(0., 0., 0.)); }
 
   // What the deviations at a face cost, its share of those on its edges and corners included.
   double face_cost(Index f, const Fit_cost& cost);
@@ -71,59 +74,60 @@ private:
   // Parts of a face's area; that of an edge or a corner from each of the faces there.
   static constexpr double center_share = .4, middle_share = .2, corner_share = .1;
 
-  const Point& point(const Index v) const { return remeshed_.spot(v).point; }
+  const Point& point(const Index v) const { return m_remeshed.spot(v).point; }
   Vector normal(const Index f) const
   {
-    const Point& p = point(table_.source(4 * f));
-    return cross_product(point(table_.source(4 * f + 1)) - p, point(table_.source(4 * f + 2)) - p);
+    const Point& p = point(m_table.source(4 * f));
+    return cross_product(point(m_table.source(4 * f + 1)) - p, point(m_table.source(4 * f + 2)) - p);
   }
   double area(const Index f) const { return .5 * std::sqrt(normal(f).squared_length()); }
   Foot search(Index& start, const Index v, const Point& p, const Vector& normal)
   {
-    const Foot foot = search_.run(start == none ? Index(remeshed_.spot(v).place.face) : start, p, normal);
+    const Foot foot = m_search.run(start == none ? Index(m_remeshed.spot(v).place.face) : start, p, normal);
     start = foot.face;
     return foot;
   }
 
-  const Remeshed_surface& remeshed_;
-  const Lean_triangulation& table_;
-  const Search search_;
-  std::vector<Index> center_, middle_;         // faces of the input
+  const Remeshed_surface& m_remeshed;
+  const Lean_triangulation& m_table;
+  const Search m_search;
+  std::vector<Index> m_center, m_middle; // faces of the input
 };
 
 inline Fit_probes::Foot Fit_probes::at_center(const Index f)
 {
-  const Index u = table_.source(4 * f), v = table_.source(4 * f + 1), w = table_.source(4 * f + 2);
-  return search(center_[f], u, CGAL::centroid(point(u), point(v), point(w)), normal(f));
+  const Index u = m_table.source(4 * f), v = m_table.source(4 * f + 1), w = m_table.source(4 * f + 2);
+  return search(m_center[f], u, CGAL::centroid(point(u), point(v), point(w)), normal(f));
 }
 
 inline Fit_probes::Foot Fit_probes::at_middle(const Index h)
 {
-  const Index o = table_.opposite(h), v = table_.source(h);
+  const Index o = m_table.opposite(h), v = m_table.source(h);
   Vector sum = normal(Lean_triangulation::face(h));
   if(o != none)
     sum = sum + normal(Lean_triangulation::face(o));
-  return search(middle_[o == none || h < o ? h : o], v, CGAL::midpoint(point(v), point(table_.target(h))), sum);
+  return search(m_middle[o == none || h < o ? h : o], v, CGAL::midpoint(point(v), point(m_table.target(h))), sum);
 }
 
 inline double Fit_probes::face_cost(const Index f, const Fit_cost& cost)
 {
   double sum = center_share * cost(at_center(f));
   for(Index h = 4 * f; h < 4 * f + 3; ++h)
-    sum += middle_share * cost(at_middle(h)) + corner_share * cost(at_vertex(table_.source(h)));
+    sum += middle_share * cost(at_middle(h)) + corner_share * cost(at_vertex(m_table.source(h)));
   return area(f) * sum;
 }
 
 inline double Fit_probes::ring_cost(const Index v, const Fit_cost& cost, const double limit)
 {
   const double at_corner = corner_share * cost(at_vertex(v));
-  const Index first = table_.halfedge(v);
+  const Index first = m_table.halfedge(v);
   double sum = 0.;
   Index h = first;
-  do {
+  do
+  {
     const Index f = Lean_triangulation::face(h);
     sum += area(f) * (at_corner + center_share * cost(at_center(f)) + 2. * middle_share * cost(at_middle(h)));
-    h = table_.rotate(h);
+    h = m_table.rotate(h);
   } while(h != first && h != none && sum <= limit);
   return sum;
 }
@@ -131,7 +135,7 @@ inline double Fit_probes::ring_cost(const Index v, const Fit_cost& cost, const d
 inline void Fit_probes::add_ring(const Index v, const Fit_cost& cost, Fit_system& system)
 {
   double sum = 0.;
-  table_.for_each_outgoing(v, [&](const Index h) {
+  m_table.for_each_outgoing(v, [&](const Index h) {
     const Index f = Lean_triangulation::face(h);
     const double size = area(f);
     const Foot center = at_center(f), middle = at_middle(h);
@@ -147,8 +151,8 @@ inline double Fit_probes::largest_squared_distance(const Index f)
 {
   double largest = at_center(f).nearest.squared_distance;
   for(Index h = 4 * f; h < 4 * f + 3; ++h)
-    largest = (std::max)({largest, at_middle(h).nearest.squared_distance,
-                          at_vertex(table_.source(h)).nearest.squared_distance});
+    largest = (std::max)(
+        {largest, at_middle(h).nearest.squared_distance, at_vertex(m_table.source(h)).nearest.squared_distance});
   return largest;
 }
 

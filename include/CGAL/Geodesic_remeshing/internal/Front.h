@@ -45,8 +45,7 @@ struct Flat_triangle
   Flat_triangle(double base, double side_a, double side_b)
     : base(base), x(((side_a - side_b) * (side_a + side_b) + base * base) / (2. * base)),
       y(std::sqrt((std::max)(0., (side_a - x) * (side_a + x))))
-  {
-  }
+  {}
 
   // between the side from the apex to a and a direction from the apex
   double angle_at_apex(double to_x, double to_y) const

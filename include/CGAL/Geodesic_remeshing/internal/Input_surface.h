@@ -33,12 +33,14 @@ template <class TriangleMesh>
 struct Input_surface
 {
   Mesh mesh;
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> face_of;     // by internal index
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> face_of; // by internal index
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex_of;
-  std::vector<Edge> edges_in_order;  // in the order of the user's, where that is another one
+  std::vector<Edge> edges_in_order; // in the order of the user's, where that is another one
 
   Edge copy_of_edge(std::size_t i) const // of the i-th of the user's
-  { return edges_in_order.empty() ? Edge(static_cast<Mesh::size_type>(i)) : edges_in_order[i]; }
+  {
+    return edges_in_order.empty() ? Edge(static_cast<Mesh::size_type>(i)) : edges_in_order[i];
+  }
 };
 
 // Index maps of a mesh with removed elements have gaps.
@@ -66,7 +68,8 @@ void copy_connectivity(const Graph& graph, const VertexIndexMap& vertex_index, c
   for(auto e : edges(graph))
   {
     const auto h = halfedge(e, graph);
-    const Halfedge g = mesh.add_edge(copy[get(vertex_index, source(h, graph))], copy[get(vertex_index, target(h, graph))]);
+    const Halfedge g =
+        mesh.add_edge(copy[get(vertex_index, source(h, graph))], copy[get(vertex_index, target(h, graph))]);
     copied[get(halfedge_index, h)] = g;
     copied[get(halfedge_index, opposite(h, graph))] = mesh.opposite(g);
   }
@@ -101,7 +104,8 @@ std::vector<char> check_faces(const TriangleMesh& tmesh, const VertexIndexMap& i
       used[get(index, target(h, tmesh))] = 1;
       ++corners;
       if(!allow_boundary && is_border(opposite(h, tmesh), tmesh))
-        reject("face " + std::to_string(number) + " has an edge on a boundary: surfaces with boundary are not supported yet");
+        reject("face " + std::to_string(number) +
+               " has an edge on a boundary: surfaces with boundary are not supported yet");
     }
     if(corners != 3)
       reject("face " + std::to_string(number) + " has " + std::to_string(corners) + " vertices, not three");
@@ -188,8 +192,8 @@ inline double area(const Mesh& mesh)
 
 inline std::ptrdiff_t euler_characteristic(const Mesh& mesh)
 {
-  return static_cast<std::ptrdiff_t>(mesh.number_of_vertices()) - static_cast<std::ptrdiff_t>(mesh.number_of_edges())
-       + static_cast<std::ptrdiff_t>(mesh.number_of_faces());
+  return static_cast<std::ptrdiff_t>(mesh.number_of_vertices()) - static_cast<std::ptrdiff_t>(mesh.number_of_edges()) +
+         static_cast<std::ptrdiff_t>(mesh.number_of_faces());
 }
 
 } // namespace internal

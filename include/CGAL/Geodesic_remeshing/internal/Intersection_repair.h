@@ -31,7 +31,8 @@ public:
   using Index = Lean_triangulation::Index;
 
   Intersection_repair(Remeshed_surface& remeshed, const double mendable)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), mendable_(mendable) {}
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_mendable(mendable)
+  {}
 
   // Returns the number of intersections found before. Vertices that hold a tip give way only if they are let go.
   std::size_t run(bool do_let_go = false);
@@ -44,26 +45,26 @@ private:
   void move_apart(Index v);
   void flip_apart(Index h);
   void gather(const Pair& faces);
-  Kernel::Triangle_3 triangle(const Index f) const { return triangle_of(remeshed_, f); }
+  Kernel::Triangle_3 triangle(const Index f) const { return triangle_of(m_remeshed, f); }
   std::size_t intersections(Index f) const;
   std::size_t intersections_of_ring(Index v) const;
 
-  Remeshed_surface& remeshed_;
-  Lean_triangulation& table_;
-  std::vector<Index> zone_;                                   // the faces around the pair
-  double mendable_;                                           // the worst triangle that a change may make
+  Remeshed_surface& m_remeshed;
+  Lean_triangulation& m_table;
+  std::vector<Index> m_zone; // the faces around the pair
+  double m_mendable;         // the worst triangle that a change may make
 };
 
 inline void Intersection_repair::gather(const Pair& faces)
 {
-  zone_.clear();
+  m_zone.clear();
   for(const Index f : {faces.first, faces.second})
     for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      table_.for_each_neighbor(table_.source(h), [&](const Index v) {
-        table_.for_each_outgoing(v, [&](const Index g) { zone_.push_back(Lean_triangulation::face(g)); });
+      m_table.for_each_neighbor(m_table.source(h), [&](const Index v) {
+        m_table.for_each_outgoing(v, [&](const Index g) { m_zone.push_back(Lean_triangulation::face(g)); });
       });
-  std::sort(zone_.begin(), zone_.end());
-  zone_.erase(std::unique(zone_.begin(), zone_.end()), zone_.end());
+  std::sort(m_zone.begin(), m_zone.end());
+  m_zone.erase(std::unique(m_zone.begin(), m_zone.end()), m_zone.end());
 }
 
 // With the faces of the zone.
@@ -71,15 +72,15 @@ inline std::size_t Intersection_repair::intersections(const Index f) const
 {
   const Bbox_3 box = triangle(f).bbox();
   std::size_t number = 0;
-  for(const Index g : zone_)
-    number += f != g && do_overlap(box, triangle(g).bbox()) && do_faces_intersect(remeshed_, f, g);
+  for(const Index g : m_zone)
+    number += f != g && do_overlap(box, triangle(g).bbox()) && do_faces_intersect(m_remeshed, f, g);
   return number;
 }
 
 inline std::size_t Intersection_repair::intersections_of_ring(const Index v) const
 {
   std::size_t number = 0;
-  table_.for_each_outgoing(v, [&](const Index h) { number += intersections(Lean_triangulation::face(h)); });
+  m_table.for_each_outgoing(v, [&](const Index h) { number += intersections(Lean_triangulation::face(h)); });
   return number;
 }
 
@@ -87,48 +88,49 @@ inline std::size_t Intersection_repair::intersections_of_ring(const Index v) con
 inline void Intersection_repair::move_apart(const Index v)
 {
   constexpr std::array<double, 6> steps = {{.1, -.1, .25, -.25, .5, -.5}};
-  if(remeshed_.is_fixed(v))
+  if(m_remeshed.is_fixed(v))
     return;
   std::size_t number = intersections_of_ring(v);
-  const double limit = (std::max)(mendable_, remeshed_.ring_badness(v));
+  const double limit = (std::max)(m_mendable, m_remeshed.ring_badness(v));
   for(const double step : steps)
-    table_.for_each_neighbor(v, [&](const Index w) {
+    m_table.for_each_neighbor(v, [&](const Index w) {
       if(number == 0)
         return;
-      const Remeshed_surface::Spot old = remeshed_.spot(v);
-      remeshed_.put(v, remeshed_.spot_after(v, step * (remeshed_.spot(w).point - old.point)));
-      const std::size_t left = remeshed_.ring_badness(v) <= limit ? intersections_of_ring(v) : number;
+      const Remeshed_surface::Spot old = m_remeshed.spot(v);
+      m_remeshed.put(v, m_remeshed.spot_after(v, step * (m_remeshed.spot(w).point - old.point)));
+      const std::size_t left = m_remeshed.ring_badness(v) <= limit ? intersections_of_ring(v) : number;
       if(left < number)
         number = left;
       else
-        remeshed_.put(v, old);
+        m_remeshed.put(v, old);
     });
 }
 
 inline void Intersection_repair::flip_apart(const Index h)
 {
-  if(!table_.is_flip_legal(h))
+  if(!m_table.is_flip_legal(h))
     return;
-  const Index o = table_.opposite(h), f = Lean_triangulation::face(h), g = Lean_triangulation::face(o);
-  const Index a = table_.source(h), b = table_.target(h), c = table_.apex(h), d = table_.apex(o);
-  const double before = add_badness(remeshed_.badness(a, b, c), remeshed_.badness(b, a, d));
-  const double after = add_badness(remeshed_.badness(a, d, c), remeshed_.badness(b, c, d));
-  if(after > (std::max)(before, mendable_))
+  const Index o = m_table.opposite(h), f = Lean_triangulation::face(h), g = Lean_triangulation::face(o);
+  const Index a = m_table.source(h), b = m_table.target(h), c = m_table.apex(h), d = m_table.apex(o);
+  const double before = add_badness(m_remeshed.badness(a, b, c), m_remeshed.badness(b, a, d));
+  const double after = add_badness(m_remeshed.badness(a, d, c), m_remeshed.badness(b, c, d));
+  if(after > (std::max)(before, m_mendable))
     return;
   const std::size_t number = intersections(f) + intersections(g);
-  remeshed_.record();
-  table_.flip(h);
+  m_remeshed.record();
+  m_table.flip(h);
   if(intersections(f) + intersections(g) >= number)
-    remeshed_.undo_to({0, 0});
-  remeshed_.forget();
+    m_remeshed.undo_to({0, 0});
+  m_remeshed.forget();
 }
 
 inline void Intersection_repair::mend(const Pair& faces)
 {
   gather(faces);
   const std::vector<Index> corners = corners_of(faces);
-  const auto are_parted = [&] { return !do_faces_intersect(remeshed_, faces.first, faces.second); };
-  for(const Index v : corners) {
+  const auto are_parted = [&] { return !do_faces_intersect(m_remeshed, faces.first, faces.second); };
+  for(const Index v : corners)
+  {
     if(are_parted())
       return;
     move_apart(v);
@@ -144,17 +146,18 @@ inline std::vector<Intersection_repair::Index> Intersection_repair::corners_of(c
   std::vector<Index> corners;
   for(const Index f : {faces.first, faces.second})
     for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      corners.push_back(table_.source(h));
+      corners.push_back(m_table.source(h));
   return corners;
 }
 
 inline std::size_t Intersection_repair::run(const bool do_let_go)
 {
-  const std::vector<Pair> pairs = Intersection_search(remeshed_).run();
-  for(const Pair& pair : pairs) {
+  const std::vector<Pair> pairs = Intersection_search(m_remeshed).run();
+  for(const Pair& pair : pairs)
+  {
     for(const Index v : corners_of(pair))
       if(do_let_go)
-        remeshed_.let_go(v);
+        m_remeshed.let_go(v);
     mend(pair);
   }
   return pairs.size();

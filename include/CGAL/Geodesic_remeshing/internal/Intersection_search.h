@@ -49,7 +49,8 @@ inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_tria
   int shared = 0;
   for(Lean_triangulation::Index i = 4 * f; i < 4 * f + 3; ++i)
     for(Lean_triangulation::Index j = 4 * g; j < 4 * g + 3; ++j)
-      if(table.source(i) == table.source(j)) {
+      if(table.source(i) == table.source(j))
+      {
         ++shared;
         h = i;
         k = j;
@@ -85,7 +86,8 @@ bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& ve
   };
   add_faces();
   const std::vector<Index> changed = faces;
-  for(int ring = 0; ring < 2; ++ring) {
+  for(int ring = 0; ring < 2; ++ring)
+  {
     around.clear();
     for(const Index f : faces)
       for(Index h = 4 * f; h < 4 * f + 3; ++h)
@@ -97,7 +99,8 @@ bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& ve
   std::vector<Bbox_3> boxes;
   for(const Index f : faces)
     boxes.push_back(triangle_of(remeshed, f).bbox());
-  for(const Index f : changed) {
+  for(const Index f : changed)
+  {
     const Bbox_3 box = triangle_of(remeshed, f).bbox();
     for(std::size_t i = 0; i < faces.size(); ++i)
       if(f != faces[i] && do_overlap(box, boxes[i]) && do_faces_intersect(remeshed, f, faces[i]))
@@ -116,12 +119,16 @@ public:
   using Pair = std::pair<Index, Index>;
 
   explicit Intersection_search(const Remeshed_surface& remeshed)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), boxes_(table_.face_slots()) {}
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_boxes(m_table.face_slots())
+  {}
 
-  std::vector<Pair> run();                           // sorted
+  std::vector<Pair> run(); // sorted
 
 private:
-  struct Box { std::array<double, 3> low, high; };
+  struct Box
+  {
+    std::array<double, 3> low, high;
+  };
 
   Box box_of(Index f) const;
   Box bounds(std::size_t begin, std::size_t end) const;
@@ -130,19 +137,20 @@ private:
   bool do_boxes_overlap(Index f, Index g, const Box& part) const;
   bool are_apart(Index f, Index g) const;
 
-  const Remeshed_surface& remeshed_;
-  const Lean_triangulation& table_;
-  std::vector<Box> boxes_;                           // by face
-  std::vector<Index> faces_;                         // of a part, after those of the parts it is in
-  std::vector<Pair> pairs_;
+  const Remeshed_surface& m_remeshed;
+  const Lean_triangulation& m_table;
+  std::vector<Box> m_boxes;   // by face
+  std::vector<Index> m_faces; // of a part, after those of the parts it is in
+  std::vector<Pair> m_pairs;
 };
 
 inline Intersection_search::Box Intersection_search::box_of(const Index f) const
 {
   Box box{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}};
   for(Index h = 4 * f; h < 4 * f + 3; ++h)
-    for(int i = 0; i < 3; ++i) {
-      const double x = remeshed_.spot(table_.source(h)).point[i];
+    for(int i = 0; i < 3; ++i)
+    {
+      const double x = m_remeshed.spot(m_table.source(h)).point[i];
       box.low[i] = (std::min)(box.low[i], x);
       box.high[i] = (std::max)(box.high[i], x);
     }
@@ -153,9 +161,10 @@ inline Intersection_search::Box Intersection_search::bounds(const std::size_t be
 {
   Box all{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}};
   for(std::size_t k = begin; k < end; ++k)
-    for(int i = 0; i < 3; ++i) {
-      all.low[i] = (std::min)(all.low[i], boxes_[faces_[k]].low[i]);
-      all.high[i] = (std::max)(all.high[i], boxes_[faces_[k]].high[i]);
+    for(int i = 0; i < 3; ++i)
+    {
+      all.low[i] = (std::min)(all.low[i], m_boxes[m_faces[k]].low[i]);
+      all.high[i] = (std::max)(all.high[i], m_boxes[m_faces[k]].high[i]);
     }
   return all;
 }
@@ -168,7 +177,8 @@ inline void Intersection_search::divide(const std::size_t begin, const std::size
     return test_all(begin, end, part);
   const Box all = bounds(begin, end);
   std::array<double, 3> low, length;
-  for(int i = 0; i < 3; ++i) {
+  for(int i = 0; i < 3; ++i)
+  {
     low[i] = (std::max)(all.low[i], part.low[i]);
     length[i] = (std::min)(all.high[i], part.high[i]) - low[i];
   }
@@ -178,25 +188,29 @@ inline void Intersection_search::divide(const std::size_t begin, const std::size
   half[0].high[axis] = half[1].low[axis] = middle;
   std::size_t number = 0;
   for(std::size_t k = begin; k < end; ++k)
-    number += std::size_t(boxes_[faces_[k]].low[axis] < middle) + std::size_t(boxes_[faces_[k]].high[axis] >= middle);
+    number +=
+        std::size_t(m_boxes[m_faces[k]].low[axis] < middle) + std::size_t(m_boxes[m_faces[k]].high[axis] >= middle);
   if(2 * number > 3 * (end - begin))
     return test_all(begin, end, part);
-  for(int side = 0; side < 2; ++side) {
-    for(std::size_t k = begin; k < end; ++k) {
-      const Index f = faces_[k];
-      if(side == 0 ? boxes_[f].low[axis] < middle : boxes_[f].high[axis] >= middle)
-        faces_.push_back(f);
+  for(int side = 0; side < 2; ++side)
+  {
+    for(std::size_t k = begin; k < end; ++k)
+    {
+      const Index f = m_faces[k];
+      if(side == 0 ? m_boxes[f].low[axis] < middle : m_boxes[f].high[axis] >= middle)
+        m_faces.push_back(f);
     }
-    divide(end, faces_.size(), half[side]);
-    faces_.resize(end);
+    divide(end, m_faces.size(), half[side]);
+    m_faces.resize(end);
   }
 }
 
 // Two boxes that overlap do so in several parts; they count in that with the lowest corner of what they have in common.
 inline bool Intersection_search::do_boxes_overlap(const Index f, const Index g, const Box& part) const
 {
-  const Box &a = boxes_[f], &b = boxes_[g];
-  for(int i = 0; i < 3; ++i) {
+  const Box &a = m_boxes[f], &b = m_boxes[g];
+  for(int i = 0; i < 3; ++i)
+  {
     const double low = (std::max)(a.low[i], b.low[i]);
     if(low > (std::min)(a.high[i], b.high[i]) || low < part.low[i] || !(low < part.high[i]))
       return false;
@@ -207,13 +221,14 @@ inline bool Intersection_search::do_boxes_overlap(const Index f, const Index g, 
 // By a plane across the way between the centers, with a distance far above the rounding.
 inline bool Intersection_search::are_apart(const Index f, const Index g) const
 {
-  const auto point = [&](const Index h) -> const Point& { return remeshed_.spot(table_.source(h)).point; };
+  const auto point = [&](const Index h) -> const Point& { return m_remeshed.spot(m_table.source(h)).point; };
   const Point& origin = point(4 * f);
   Vector way(0., 0., 0.);
   for(Index i = 0; i < 3; ++i)
     way = way + (point(4 * g + i) - point(4 * f + i));
   double end = -infinity, start = infinity;
-  for(Index i = 0; i < 3; ++i) {
+  for(Index i = 0; i < 3; ++i)
+  {
     end = (std::max)(end, (point(4 * f + i) - origin) * way);
     start = (std::min)(start, (point(4 * g + i) - origin) * way);
   }
@@ -223,23 +238,25 @@ inline bool Intersection_search::are_apart(const Index f, const Index g) const
 inline void Intersection_search::test_all(const std::size_t begin, const std::size_t end, const Box& part)
 {
   for(std::size_t k = begin; k < end; ++k)
-    for(std::size_t l = begin; l < k; ++l) {
-      const Index f = faces_[l], g = faces_[k];
-      if(do_boxes_overlap(f, g, part) && !are_apart(f, g) && do_faces_intersect(remeshed_, f, g))
-        pairs_.push_back(std::minmax(f, g));
+    for(std::size_t l = begin; l < k; ++l)
+    {
+      const Index f = m_faces[l], g = m_faces[k];
+      if(do_boxes_overlap(f, g, part) && !are_apart(f, g) && do_faces_intersect(m_remeshed, f, g))
+        m_pairs.push_back(std::minmax(f, g));
     }
 }
 
 inline std::vector<Intersection_search::Pair> Intersection_search::run()
 {
-  for(Index f = 0; f < table_.face_slots(); ++f)
-    if(!table_.is_removed_face(f)) {
-      boxes_[f] = box_of(f);
-      faces_.push_back(f);
+  for(Index f = 0; f < m_table.face_slots(); ++f)
+    if(!m_table.is_removed_face(f))
+    {
+      m_boxes[f] = box_of(f);
+      m_faces.push_back(f);
     }
-  divide(0, faces_.size(), {{{-infinity, -infinity, -infinity}}, {{infinity, infinity, infinity}}});
-  std::sort(pairs_.begin(), pairs_.end());
-  return std::move(pairs_);
+  divide(0, m_faces.size(), {{{-infinity, -infinity, -infinity}}, {{infinity, infinity, infinity}}});
+  std::sort(m_pairs.begin(), m_pairs.end());
+  return std::move(m_pairs);
 }
 
 } // namespace internal

@@ -48,14 +48,12 @@ public:
   // The surface as it lies in space, or in the metric of its density.
   explicit Intrinsic_triangulation(const Mesh& mesh)
     : Intrinsic_triangulation(mesh, [metric = Metric(mesh)](Halfedge h) { return metric.length(h); })
-  {
-  }
+  {}
 
   // The surface in a metric of its own: a length for every edge, by index.
   Intrinsic_triangulation(const Mesh& mesh, const std::vector<double>& length_of_edge)
     : Intrinsic_triangulation(mesh, [&](Halfedge h) { return length_of_edge[mesh.edge(h)]; })
-  {
-  }
+  {}
 
   // Any triangulated `FaceListGraph`, its indices possibly with gaps. A halfedge and its opposite must have the same
   // length.
@@ -88,8 +86,7 @@ private:
   template <typename Length_of_halfedge>
   Intrinsic_triangulation(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge)
     : Intrinsic_triangulation(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), length_of_halfedge)
-  {
-  }
+  {}
 
   template <typename Range, typename IndexMap>
   static std::size_t index_bound(const Range& range, IndexMap index)

@@ -40,51 +40,56 @@ public:
   explicit Lean_triangulation(const Mesh& mesh) : Lean_triangulation(mesh, [](Edge) { return false; }) {}
 
   // `is_line(e)` tells the constrained edges; those of the boundary need not be told.
-  template <class Is_line> Lean_triangulation(const Mesh& mesh, const Is_line& is_line);
+  template <class Is_line>
+  Lean_triangulation(const Mesh& mesh, const Is_line& is_line);
 
   static Index face(const Index h) { return h >> 2; }
   static Index next(const Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
   static Index previous(const Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
 
-  Index source(const Index h) const { return field_[corner][h]; }
-  Index target(const Index h) const { return field_[corner][next(h)]; }
-  Index apex(const Index h) const { return field_[corner][previous(h)]; }
-  Index opposite(const Index h) const { return field_[across][h]; }
+  Index source(const Index h) const { return m_field[corner][h]; }
+  Index target(const Index h) const { return m_field[corner][next(h)]; }
+  Index apex(const Index h) const { return m_field[corner][previous(h)]; }
+  Index opposite(const Index h) const { return m_field[across][h]; }
 
-  bool is_constrained(const Index h) const { return (field_[across][h | 3] >> (h & 3) & 1) != 0; }
+  bool is_constrained(const Index h) const { return (m_field[across][h | 3] >> (h & 3) & 1) != 0; }
 
   // The outgoing halfedges of a vertex, counterclockwise: starts at halfedge(v), ends at `none` (boundary) or there
   // again. The first is that of the boundary, where there is one; else a constrained one, where there is one.
-  Index halfedge(const Index v) const { return field_[outgoing][v]; }
+  Index halfedge(const Index v) const { return m_field[outgoing][v]; }
   Index rotate(const Index h) const { return opposite(previous(h)); }
 
-  Index valence(const Index v) const { return field_[degree][v]; }
-  bool is_removed(const Index v) const { return field_[degree][v] == 0; }
-  bool is_removed_face(const Index f) const { return field_[corner][4 * f] == none; }
+  Index valence(const Index v) const { return m_field[degree][v]; }
+  bool is_removed(const Index v) const { return m_field[degree][v] == 0; }
+  bool is_removed_face(const Index f) const { return m_field[corner][4 * f] == none; }
   bool is_border(const Index v) const { return opposite(halfedge(v)) == none; }
   bool is_on_line(const Index v) const { return is_constrained(halfedge(v)); }
 
   // Numbers of slots, removed ones included: the bounds of loops over vertices and faces.
-  Index vertex_slots() const { return static_cast<Index>(field_[degree].size()); }
-  Index face_slots() const { return static_cast<Index>(field_[corner].size() / 4); }
-  std::size_t number_of_vertices() const { return field_[counts][vertex_count]; }
+  Index vertex_slots() const { return static_cast<Index>(m_field[degree].size()); }
+  Index face_slots() const { return static_cast<Index>(m_field[corner].size() / 4); }
+  std::size_t number_of_vertices() const { return m_field[counts][vertex_count]; }
 
-  template <class Visit> void for_each_outgoing(const Index v, Visit&& visit) const
+  template <class Visit>
+  void for_each_outgoing(const Index v, Visit&& visit) const
   {
     const Index first = halfedge(v);
     Index h = first;
-    do {
+    do
+    {
       visit(h);
       h = rotate(h);
     } while(h != first && h != none);
   }
 
   // Neighbours counterclockwise. At the boundary the last one is only the source of an incoming halfedge.
-  template <class Visit> void for_each_neighbor(const Index v, Visit&& visit) const
+  template <class Visit>
+  void for_each_neighbor(const Index v, Visit&& visit) const
   {
     const Index first = halfedge(v);
     Index h = first, last;
-    do {
+    do
+    {
       visit(target(h));
       last = previous(h);
       h = opposite(last);
@@ -103,7 +108,7 @@ public:
   // The number of constrained edges at a vertex
   Index line_degree(const Index v) const
   {
-    Index number = is_border(v);     // of the boundary's two edges only one is an outgoing halfedge
+    Index number = is_border(v); // of the boundary's two edges only one is an outgoing halfedge
     for_each_outgoing(v, [&](const Index h) { number += is_constrained(h); });
     return number;
   }
@@ -111,39 +116,48 @@ public:
   // Flips that make double edges or a vertex with less than three neighbours (two at the boundary) are not legal, nor
   // are those of constrained edges.
   bool is_flip_legal(Index h) const;
-  Index flip(Index h);             // returns a halfedge of the new edge
+  Index flip(Index h); // returns a halfedge of the new edge
   // A vertex on a line disappears only along it and where it does not end or branch; two lines never become one.
   bool is_collapse_legal(Index h) const;
-  void collapse(Index h);          // target(h) disappears
+  void collapse(Index h); // target(h) disappears
   // The inverse of a collapse of an inner vertex: the new vertex takes over the faces of v counterclockwise from h1 to
   // h2, outgoing halfedges of an inner vertex v with at least one halfedge between them; source(h1) and the new vertex
   // become neighbours.
   Index split(Index h1, Index h2);
-  Index split_edge(Index h);       // a new vertex between source(h) and target(h)
+  Index split_edge(Index h); // a new vertex between source(h) and target(h)
 
-  void record() { is_recording_ = true; }
-  std::size_t mark() const { return journal_.size(); }
+  void record() { m_is_recording = true; }
+  std::size_t mark() const { return m_journal.size(); }
   void undo_to(std::size_t mark);
-  void forget() { journal_.clear(); is_recording_ = false; }
-  void reserve_free(Index number_of_splits);   // before recording: new slots are never taken back
+  void forget()
+  {
+    m_journal.clear();
+    m_is_recording = false;
+  }
+  void reserve_free(Index number_of_splits); // before recording: new slots are never taken back
 
 private:
   enum Field : Index { corner, across, outgoing, degree, counts };
-  enum Count : Index { vertex_count, free_vertex, free_face };    // the free slots form chains
-  struct Change { Field field; Index at; Index old; };
+  enum Count : Index { vertex_count, free_vertex, free_face }; // the free slots form chains
+  struct Change
+  {
+    Field field;
+    Index at;
+    Index old;
+  };
 
   void set(const Field field, const Index at, const Index value)
   {
-    Index& place = field_[field][at];
-    if(is_recording_)
-      journal_.push_back({field, at, place});
+    Index& place = m_field[field][at];
+    if(m_is_recording)
+      m_journal.push_back({field, at, place});
     place = value;
   }
 
   // The fourth slot of a face has no halfedge: there the bits of the other three are kept.
   void constrain(const Index h, const bool value)
   {
-    const Index bits = field_[across][h | 3], bit = Index(1) << (h & 3);
+    const Index bits = m_field[across][h | 3], bit = Index(1) << (h & 3);
     if(((bits & bit) != 0) != value)
       set(across, h | 3, bits ^ bit);
   }
@@ -154,8 +168,10 @@ private:
 
   void glue(const Index h, const Index o)
   {
-    if(h != none) set(across, h, o);
-    if(o != none) set(across, o, h);
+    if(h != none)
+      set(across, h, o);
+    if(o != none)
+      set(across, o, h);
   }
 
   Index new_vertex();
@@ -163,87 +179,93 @@ private:
   void remove_vertex(Index v);
   void remove_face(Index f);
 
-  std::array<std::vector<Index>, 5> field_;
-  std::vector<Change> journal_;
-  bool is_recording_ = false;
+  std::array<std::vector<Index>, 5> m_field;
+  std::vector<Change> m_journal;
+  bool m_is_recording = false;
 };
 
-template <class Is_line> Lean_triangulation::Lean_triangulation(const Mesh& mesh, const Is_line& is_line)
+template <class Is_line>
+Lean_triangulation::Lean_triangulation(const Mesh& mesh, const Is_line& is_line)
 {
   CGAL_precondition(!mesh.has_garbage());
   const std::size_t n = mesh.number_of_vertices();
-  field_[corner].assign(4 * mesh.number_of_faces(), none);
-  field_[across].assign(4 * mesh.number_of_faces(), none);
-  field_[outgoing].assign(n, none);
-  field_[degree].assign(n, 0);
-  field_[counts] = {static_cast<Index>(n), none, none};
+  m_field[corner].assign(4 * mesh.number_of_faces(), none);
+  m_field[across].assign(4 * mesh.number_of_faces(), none);
+  m_field[outgoing].assign(n, none);
+  m_field[degree].assign(n, 0);
+  m_field[counts] = {static_cast<Index>(n), none, none};
 
   std::vector<Index> number(mesh.number_of_halfedges(), none);
-  for(const Face f : mesh.faces()) {
+  for(const Face f : mesh.faces())
+  {
     Halfedge h = mesh.halfedge(f);
-    for(Index i = 0; i < 3; ++i, h = mesh.next(h)) {
+    for(Index i = 0; i < 3; ++i, h = mesh.next(h))
+    {
       number[h] = 4 * f + i;
-      field_[corner][4 * f + i] = mesh.source(h);
+      m_field[corner][4 * f + i] = mesh.source(h);
     }
   }
   for(Index f = 0; f < face_slots(); ++f)
-    field_[across][4 * f + 3] = 0;
-  for(const Halfedge h : mesh.halfedges()) {
+    m_field[across][4 * f + 3] = 0;
+  for(const Halfedge h : mesh.halfedges())
+  {
     if(number[h] == none)
       continue;
-    const Index o = number[mesh.opposite(h)], v = mesh.source(h), first = field_[outgoing][v];
-    field_[across][number[h]] = o;
-    field_[degree][v] += 1;
+    const Index o = number[mesh.opposite(h)], v = mesh.source(h), first = m_field[outgoing][v];
+    m_field[across][number[h]] = o;
+    m_field[degree][v] += 1;
     constrain(number[h], o == none || is_line(mesh.edge(h)));
     // Where there is no line any halfedge, so the last one seen.
     if(first == none || o == none || (opposite(first) != none && (is_constrained(number[h]) || !is_constrained(first))))
-      field_[outgoing][v] = number[h];
+      m_field[outgoing][v] = number[h];
     if(o == none)
-      field_[degree][mesh.target(h)] += 1;
+      m_field[degree][mesh.target(h)] += 1;
   }
 }
 
 inline void Lean_triangulation::undo_to(const std::size_t mark)
 {
-  for(; journal_.size() > mark; journal_.pop_back())
-    field_[journal_.back().field][journal_.back().at] = journal_.back().old;
+  for(; m_journal.size() > mark; m_journal.pop_back())
+    m_field[m_journal.back().field][m_journal.back().at] = m_journal.back().old;
 }
 
 inline void Lean_triangulation::reserve_free(const Index number_of_splits)
 {
-  CGAL_precondition(!is_recording_);
+  CGAL_precondition(!m_is_recording);
   Index vertices = 0, faces = 0;
-  for(Index v = field_[counts][free_vertex]; v != none && vertices < number_of_splits; v = field_[outgoing][v])
+  for(Index v = m_field[counts][free_vertex]; v != none && vertices < number_of_splits; v = m_field[outgoing][v])
     ++vertices;
-  for(Index f = field_[counts][free_face]; f != none && faces < 2 * number_of_splits; f = field_[across][4 * f])
+  for(Index f = m_field[counts][free_face]; f != none && faces < 2 * number_of_splits; f = m_field[across][4 * f])
     ++faces;
-  for(; vertices < number_of_splits; ++vertices) {
-    field_[outgoing].push_back(field_[counts][free_vertex]);
-    field_[degree].push_back(0);
-    field_[counts][free_vertex] = vertex_slots() - 1;
+  for(; vertices < number_of_splits; ++vertices)
+  {
+    m_field[outgoing].push_back(m_field[counts][free_vertex]);
+    m_field[degree].push_back(0);
+    m_field[counts][free_vertex] = vertex_slots() - 1;
   }
-  for(; faces < 2 * number_of_splits; ++faces) {
-    field_[corner].insert(field_[corner].end(), 4, none);
-    field_[across].insert(field_[across].end(), 4, none);
-    field_[across][4 * (face_slots() - 1)] = field_[counts][free_face];
-    field_[counts][free_face] = face_slots() - 1;
+  for(; faces < 2 * number_of_splits; ++faces)
+  {
+    m_field[corner].insert(m_field[corner].end(), 4, none);
+    m_field[across].insert(m_field[across].end(), 4, none);
+    m_field[across][4 * (face_slots() - 1)] = m_field[counts][free_face];
+    m_field[counts][free_face] = face_slots() - 1;
   }
 }
 
 inline Lean_triangulation::Index Lean_triangulation::new_vertex()
 {
-  const Index v = field_[counts][free_vertex];
+  const Index v = m_field[counts][free_vertex];
   CGAL_precondition(v != none);
-  set(counts, free_vertex, field_[outgoing][v]);
-  set(counts, vertex_count, field_[counts][vertex_count] + 1);
+  set(counts, free_vertex, m_field[outgoing][v]);
+  set(counts, vertex_count, m_field[counts][vertex_count] + 1);
   return v;
 }
 
 inline Lean_triangulation::Index Lean_triangulation::new_face(const Index u, const Index v, const Index w)
 {
-  const Index f = field_[counts][free_face];
+  const Index f = m_field[counts][free_face];
   CGAL_precondition(f != none);
-  set(counts, free_face, field_[across][4 * f]);
+  set(counts, free_face, m_field[across][4 * f]);
   set(across, 4 * f + 3, 0);
   set(corner, 4 * f, u);
   set(corner, 4 * f + 1, v);
@@ -254,16 +276,16 @@ inline Lean_triangulation::Index Lean_triangulation::new_face(const Index u, con
 inline void Lean_triangulation::remove_vertex(const Index v)
 {
   set(degree, v, 0);
-  set(outgoing, v, field_[counts][free_vertex]);
+  set(outgoing, v, m_field[counts][free_vertex]);
   set(counts, free_vertex, v);
-  set(counts, vertex_count, field_[counts][vertex_count] - 1);
+  set(counts, vertex_count, m_field[counts][vertex_count] - 1);
 }
 
 inline void Lean_triangulation::remove_face(const Index f)
 {
   for(Index i = 0; i < 3; ++i)
     set(corner, 4 * f + i, none);
-  set(across, 4 * f, field_[counts][free_face]);
+  set(across, 4 * f, m_field[counts][free_face]);
   set(counts, free_face, f);
 }
 

@@ -39,15 +39,19 @@ inline Lean_triangulation::Index Lean_triangulation::flip(const Index h)
   set(corner, on, c);
   glue(hn, on);
   set(across, h, ad);
-  if(ad != none) set(across, ad, h);
+  if(ad != none)
+    set(across, ad, h);
   set(across, o, bc);
-  if(bc != none) set(across, bc, o);
+  if(bc != none)
+    set(across, bc, o);
   constrain(h, is_ad_line);
   constrain(o, is_bc_line);
   constrain(hn, false);
   constrain(on, false);
-  if(halfedge(a) == on) set(outgoing, a, h);
-  if(halfedge(b) == hn) set(outgoing, b, o);
+  if(halfedge(a) == on)
+    set(outgoing, a, h);
+  if(halfedge(b) == hn)
+    set(outgoing, b, o);
   set(degree, a, valence(a) - 1);
   set(degree, b, valence(b) - 1);
   set(degree, c, valence(c) + 1);
@@ -86,8 +90,10 @@ inline Lean_triangulation::Index Lean_triangulation::line_between(const Index fi
 inline void Lean_triangulation::merge_edges(const Index x, const Index y, const bool is_line)
 {
   glue(x, y);
-  if(x != none) constrain(x, is_line);
-  if(y != none) constrain(y, is_line);
+  if(x != none)
+    constrain(x, is_line);
+  if(y != none)
+    constrain(y, is_line);
 }
 
 inline void Lean_triangulation::collapse(const Index h)
@@ -96,21 +102,26 @@ inline void Lean_triangulation::collapse(const Index h)
   const Index a = source(h), b = target(h), c = source(hp), x = opposite(hn), y = opposite(hp);
   const Index on = o == none ? none : next(o), op = o == none ? none : previous(o);
   const Index z = o == none ? none : opposite(on), w = o == none ? halfedge(b) : opposite(op);
-  if(halfedge(a) == h) {
+  if(halfedge(a) == h)
+  {
     const Index line = is_constrained(h) ? line_between(w, hn) : hn;
     set(outgoing, a, line == hn ? y : line);
   }
   for(Index g = w; g != hn; g = rotate(g))
     set(corner, g, a);
-  if(halfedge(c) == hp) set(outgoing, c, x);
+  if(halfedge(c) == hp)
+    set(outgoing, c, x);
   set(degree, a, valence(a) + valence(b) - (o == none ? 3 : 4));
   set(degree, c, valence(c) - 1);
   merge_edges(x, y, is_constrained(hn) || is_constrained(hp));
   remove_face(face(h));
-  if(o != none) {
+  if(o != none)
+  {
     const Index d = source(op);
-    if(halfedge(a) == on) set(outgoing, a, w);
-    if(halfedge(d) == op) set(outgoing, d, z);
+    if(halfedge(a) == on)
+      set(outgoing, a, w);
+    if(halfedge(d) == op)
+      set(outgoing, d, z);
     set(degree, d, valence(d) - 1);
     merge_edges(z, w, is_constrained(on) || is_constrained(op));
     remove_face(face(o));
@@ -156,7 +167,8 @@ inline Lean_triangulation::Index Lean_triangulation::split_edge(const Index h)
   set(outgoing, w, 4 * f);
   set(degree, w, o == none ? 3 : 4);
   set(degree, c, valence(c) + 1);
-  if(halfedge(b) == hn) set(outgoing, b, 4 * f + 1);
+  if(halfedge(b) == hn)
+    set(outgoing, b, 4 * f + 1);
   if(o == none)
     return w;
   const Index op = previous(o), d = apex(o), g = new_face(b, w, d);
@@ -168,8 +180,10 @@ inline Lean_triangulation::Index Lean_triangulation::split_edge(const Index h)
   glue(4 * g, 4 * f);
   set(corner, o, w);
   set(degree, d, valence(d) + 1);
-  if(halfedge(b) == o) set(outgoing, b, 4 * g);
-  if(halfedge(d) == op) set(outgoing, d, 4 * g + 2);
+  if(halfedge(b) == o)
+    set(outgoing, b, 4 * g);
+  if(halfedge(d) == op)
+    set(outgoing, d, 4 * g + 2);
   return w;
 }
 

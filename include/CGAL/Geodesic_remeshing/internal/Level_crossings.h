@@ -33,8 +33,8 @@ namespace internal {
 struct Crossing
 {
   int region, level;
-  double position;    // along the edge, from source to target of its first halfedge
-  bool descends;      // does the edge run away from the top of the region there?
+  double position; // along the edge, from source to target of its first halfedge
+  bool descends;   // does the edge run away from the top of the region there?
 };
 
 class Level_crossings
@@ -62,7 +62,8 @@ public:
     }
     const std::size_t first = out.size();
     const Route& route = best_route(a, b);
-    double travelled = append_stretch(r, m_segmentation.field[a], m_segmentation.level[a], route.leaves_at_bottom, true, 0., out);
+    double travelled =
+        append_stretch(r, m_segmentation.field[a], m_segmentation.level[a], route.leaves_at_bottom, true, 0., out);
     for(const auto& step : route.between)
       travelled += append_whole(step.first, step.second, travelled, out);
     const double total = travelled + append_stretch(s, m_segmentation.field[b], m_segmentation.level[b],
@@ -102,8 +103,7 @@ private:
     const Region& reg = region(r);
     const double length = (std::max)(0., at_bottom ? reg.height - field : field);
     const int lowest = at_bottom ? level : 1, highest = at_bottom ? reg.number_of_levels : level - 1;
-    const auto push = [&](int k)
-    {
+    const auto push = [&](int k) {
       const double from_vertex = (std::min)(length, std::abs(reg.value(k) - field));
       out.push_back(Crossing{r, k, start + (outwards ? from_vertex : length - from_vertex), at_bottom == outwards});
     };
@@ -143,8 +143,9 @@ private:
     if(found == m_routes.end())
       found = m_routes.emplace(key, find_routes(std::get<0>(key), std::get<1>(key), time)).first;
     const auto& routes = found->second;
-    const auto length = [&](const Route& route)
-    { return length_to_end(a, route.leaves_at_bottom) + route.length_between + length_to_end(b, route.enters_at_bottom); };
+    const auto length = [&](const Route& route) {
+      return length_to_end(a, route.leaves_at_bottom) + route.length_between + length_to_end(b, route.enters_at_bottom);
+    };
     return *std::min_element(routes.begin(), routes.end(),
                              [&](const Route& p, const Route& q) { return length(p) < length(q); });
   }
@@ -155,8 +156,8 @@ private:
     std::vector<Route> routes;
     for(bool out_at_bottom : {true, false})
       for(bool in_at_bottom : {false, true})
-        find_walk(out_at_bottom ? region(r).bottom : region(r).top, in_at_bottom ? region(s).bottom : region(s).top,
-                  r, s, time, Route{out_at_bottom, in_at_bottom, {}, 0.}, routes);
+        find_walk(out_at_bottom ? region(r).bottom : region(r).top, in_at_bottom ? region(s).bottom : region(s).top, r,
+                  s, time, Route{out_at_bottom, in_at_bottom, {}, 0.}, routes);
     if(routes.empty() && time < m_at_junction.size())
       return find_routes(r, s, m_at_junction.size());
     CGAL_assertion(!routes.empty()); // an edge does not join different components
@@ -168,7 +169,12 @@ private:
   {
     if(from >= time || to >= time)
       return;
-    struct Reached { double length; int through; std::size_t before; };
+    struct Reached
+    {
+      double length;
+      int through;
+      std::size_t before;
+    };
     std::map<std::size_t, Reached> reached;
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;

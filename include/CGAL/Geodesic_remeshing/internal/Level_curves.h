@@ -40,7 +40,7 @@ struct Level_curve
 // The equidistant curves of all regions and levels, as ordered polylines over the edges (paper, section 3).
 struct Level_curves
 {
-  std::vector<Level_curve> curves;      // by region, then level
+  std::vector<Level_curve> curves; // by region, then level
   std::vector<Curve_point> points;
   std::vector<std::size_t> crossing_begin; // of an edge: its first crossing
   std::vector<Crossing> crossings;
@@ -59,7 +59,8 @@ inline double density_at(const Mesh& mesh, const Metric& metric, const Curve_poi
 {
   if(metric.is_uniform())
     return 1.;
-  return (1. - p.position) * metric.density(mesh.source(p.halfedge)) + p.position * metric.density(mesh.target(p.halfedge));
+  return (1. - p.position) * metric.density(mesh.source(p.halfedge)) +
+         p.position * metric.density(mesh.target(p.halfedge));
 }
 
 // In the metric of the mesh
@@ -112,8 +113,9 @@ public:
         trace_from(e);
     for(Edge e : m_mesh.edges())
       trace_from(e);
-    std::stable_sort(m_result.curves.begin(), m_result.curves.end(), [](const Level_curve& a, const Level_curve& b)
-                     { return a.region < b.region || (a.region == b.region && a.level < b.level); });
+    std::stable_sort(m_result.curves.begin(), m_result.curves.end(), [](const Level_curve& a, const Level_curve& b) {
+      return a.region < b.region || (a.region == b.region && a.level < b.level);
+    });
     return std::move(m_result);
   }
 
@@ -136,13 +138,15 @@ private:
 
   void trace_curve(Halfedge h, std::size_t start)
   {
-    Level_curve curve{m_result.crossings[start].region, m_result.crossings[start].level, false, m_result.points.size(), 0};
+    Level_curve curve{m_result.crossings[start].region, m_result.crossings[start].level, false, m_result.points.size(),
+                      0};
     std::size_t c = start;
     while(true)
     {
       const bool first = m_mesh.halfedge(m_mesh.edge(h), 0) == h;
       m_result.point_of_crossing[c] = m_result.points.size();
-      m_result.points.push_back(Curve_point{h, first ? m_result.crossings[c].position : 1. - m_result.crossings[c].position});
+      m_result.points.push_back(
+          Curve_point{h, first ? m_result.crossings[c].position : 1. - m_result.crossings[c].position});
       if(m_mesh.is_border(h) || !step(h, c))
         break;
       if(c == start)

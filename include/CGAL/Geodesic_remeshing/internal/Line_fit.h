@@ -32,25 +32,28 @@ public:
   using Index = Lean_triangulation::Index;
 
   Line_fit(Remeshed_surface& remeshed, const double edge_length)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), tolerance_(.01 * edge_length) {}
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_tolerance(.01 * edge_length)
+  {}
 
   void run()
   {
     constexpr int sweeps = 10;
-    if(!remeshed_.has_lines() || remeshed_.keeps_lines())
+    if(!m_remeshed.has_lines() || m_remeshed.keeps_lines())
       return;
     std::vector<Index> sliding;
-    for(Index v = 0; v < table_.vertex_slots(); ++v)
-      if(!table_.is_removed(v) && remeshed_.is_on_line(v) && !remeshed_.is_fixed(v))
+    for(Index v = 0; v < m_table.vertex_slots(); ++v)
+      if(!m_table.is_removed(v) && m_remeshed.is_on_line(v) && !m_remeshed.is_fixed(v))
         sliding.push_back(v);
-    for(int sweep = 0; sweep < sweeps; ++sweep) {
+    for(int sweep = 0; sweep < sweeps; ++sweep)
+    {
       bool has_moved = false;
       for(const Index v : sliding)
-        if(slide(v)) {
+        if(slide(v))
+        {
           has_moved = true;
-          table_.for_each_neighbor(v, [&](const Index w) {
-            if(remeshed_.is_free(w))
-              relax_vertex(remeshed_, w);
+          m_table.for_each_neighbor(v, [&](const Index w) {
+            if(m_remeshed.is_free(w))
+              relax_vertex(m_remeshed, w);
           });
         }
       if(!has_moved)
@@ -66,18 +69,22 @@ private:
   {
     const Point from = point_at(s, low), to = point_at(s, high);
     double largest = 0.;
-    remeshed_.lines().for_each_point(s.piece, low, high, [&](const Point& p) {
+    m_remeshed.lines().for_each_point(s.piece, low, high, [&](const Point& p) {
       largest = (std::max)(largest, squared_distance_to_segment(p, from, to));
     });
     return largest;
   }
 
   Point point_at(const Stretch& s, const double at) const
-  { return remeshed_.walker().point(remeshed_.lines().place_at(s.piece, at)); }
+  {
+    return m_remeshed.walker().point(m_remeshed.lines().place_at(s.piece, at));
+  }
 
   // Squared again, so that it is the larger of the two that counts most.
   double deviation_beside(const Stretch& s, const double at) const
-  { return CGAL::square(deviation(s, s.low, at)) + CGAL::square(deviation(s, at, s.high)); }
+  {
+    return CGAL::square(deviation(s, s.low, at)) + CGAL::square(deviation(s, at, s.high));
+  }
 
   // To the best of some places that leaves angles of 36 degrees, or as they are. Nothing moves for a gain of less than a sixth.
   bool slide(const Index v)
@@ -89,21 +96,22 @@ private:
       return false;
     const double length = s.high - s.low;
     double least = deviation_beside(s, s.at);
-    if(!(least > std::pow(tolerance_ * remeshed_.spot(v).size, 4.)))
+    if(!(least > std::pow(m_tolerance * m_remeshed.spot(v).size, 4.)))
       return false;
     least *= .5;
-    const double limit = (std::max)(tolerated_badness(), remeshed_.ring_badness(v));
+    const double limit = (std::max)(tolerated_badness(), m_remeshed.ring_badness(v));
     bool has_moved = false;
-    for(const double step : steps) {
+    for(const double step : steps)
+    {
       const double at = s.at + step * length;
       if(!(at > s.low + least_part * length && at < s.high - least_part * length))
         continue;
       const double d = deviation_beside(s, at);
-      const Remeshed_surface::Spot spot = remeshed_.spot_on_line(remeshed_.lines().place_at(s.piece, at));
-      if(!(d < least) || remeshed_.ring_badness(v, spot, limit) > limit)
+      const Remeshed_surface::Spot spot = m_remeshed.spot_on_line(m_remeshed.lines().place_at(s.piece, at));
+      if(!(d < least) || m_remeshed.ring_badness(v, spot, limit) > limit)
         continue;
       least = d;
-      remeshed_.put(v, spot);
+      m_remeshed.put(v, spot);
       has_moved = true;
     }
     return has_moved;
@@ -113,23 +121,23 @@ private:
   {
     std::array<Index, 2> beside = {{v, v}};
     std::size_t number = 0;
-    remeshed_.for_each_neighbor_on_line(v, [&](const Index w) {
+    m_remeshed.for_each_neighbor_on_line(v, [&](const Index w) {
       if(number < 2)
         beside[number] = w;
       ++number;
     });
     if(number != 2)
       return {Line_walker::none, 0., 0., 0.};
-    const auto place = [&](const Index w) -> const Place& { return remeshed_.spot(w).place; };
-    Stretch s = remeshed_.lines().stretch(place(v), place(beside[0]), place(beside[1]));
+    const auto place = [&](const Index w) -> const Place& { return m_remeshed.spot(w).place; };
+    Stretch s = m_remeshed.lines().stretch(place(v), place(beside[0]), place(beside[1]));
     if(!(s.low < s.at && s.at < s.high)) // both ends are the same corner, or coincide
       s.piece = Line_walker::none;
     return s;
   }
 
-  Remeshed_surface& remeshed_;
-  const Lean_triangulation& table_;
-  const double tolerance_; // nearer than this to a line is near enough
+  Remeshed_surface& m_remeshed;
+  const Lean_triangulation& m_table;
+  const double m_tolerance; // nearer than this to a line is near enough
 };
 
 } // namespace internal

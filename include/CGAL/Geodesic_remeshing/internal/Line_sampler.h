@@ -24,8 +24,8 @@ namespace internal {
 // The samples on lines, and how far from the lines the vertices of the working surface are
 struct Line_samples
 {
-  std::vector<Sample> samples;    // the corners, then the pieces, each from one end to the other
-  std::vector<double> distance;   // of a vertex; empty where there are no lines
+  std::vector<Sample> samples;  // the corners, then the pieces, each from one end to the other
+  std::vector<double> distance; // of a vertex; empty where there are no lines
 };
 
 // Samples what the output has to follow before anything else (paper, section 6, on feature curves): the corners, and
@@ -94,8 +94,11 @@ private:
 
 inline std::vector<Line_piece> trace_lines(const Working_surface& working, const Constraints& constraints)
 {
-  const auto is_corner = [&](Vertex v) { return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()]; };
-  std::vector<Line_piece> pieces = trace_lines(working.mesh, [&](Edge e) { return working.is_line[e]; }, is_corner);
+  const auto is_corner = [&](Vertex v) {
+    return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()];
+  };
+  std::vector<Line_piece> pieces = trace_lines(
+      working.mesh, [&](Edge e) { return working.is_line[e]; }, is_corner);
   for(Line_piece& piece : pieces)
     piece.is_kept = constraints.are_kept;
   return pieces;

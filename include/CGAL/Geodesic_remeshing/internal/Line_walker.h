@@ -36,7 +36,7 @@ public:
 
   Line_walker(const Surface_walker& walker, const Constraints& constraints);
 
-  bool empty() const { return pieces_.empty(); }
+  bool empty() const { return m_pieces.empty(); }
 
   // Along the projection of `displacement` to the line, for the projection's length; at most half the way to an end,
   // where other vertices are. What is at an end stays.
@@ -49,24 +49,40 @@ public:
 
   // The part of a line around a place that is not an end, from one neighbour to the other: `at` is between `low` and
   // `high`, in lengths along the line, which on a closed one go on beyond where it begins. No piece if there is none.
-  struct Stretch { Index piece; double low, at, high; };
+  struct Stretch
+  {
+    Index piece;
+    double low, at, high;
+  };
   Stretch stretch(const Place& place, const Place& one, const Place& other) const;
   Place place_at(Index near, double at) const;
   // The vertices of the line strictly between two such positions
-  template <class Visit> void for_each_point(Index near, double low, double high, const Visit& visit) const;
+  template <class Visit>
+  void for_each_point(Index near, double low, double high, const Visit& visit) const;
 
 private:
   // An edge of a line, from `begin` on (in lengths along the line). A halfedge of it, which may run the other way.
-  struct Piece { Index h; bool is_reversed; Index line; double begin, length; };
-  struct Line { Index first, last; double length; bool is_ring; };      // pieces [first, last)
+  struct Piece
+  {
+    Index h;
+    bool is_reversed;
+    Index line;
+    double begin, length;
+  };
+  struct Line
+  {
+    Index first, last;
+    double length;
+    bool is_ring;
+  }; // pieces [first, last)
 
   void find_ends(const Constraints& constraints);
   void follow(Index h, Index from);
-  Index canonical(const Index h) const { return (std::min)(h, table_.opposite(h)); }
-  bool is_end(const Index x) const { return incident_[x][1] == none; }
-  Index start(const Piece& p) const { return p.is_reversed ? table_.target(p.h) : table_.source(p.h); }
-  Index end(const Piece& p) const { return p.is_reversed ? table_.source(p.h) : table_.target(p.h); }
-  const Point& point(const Index x) const { return walker_.surface().point(Vertex(x)); }
+  Index canonical(const Index h) const { return (std::min)(h, m_table.opposite(h)); }
+  bool is_end(const Index x) const { return m_incident[x][1] == none; }
+  Index start(const Piece& p) const { return p.is_reversed ? m_table.target(p.h) : m_table.source(p.h); }
+  Index end(const Piece& p) const { return p.is_reversed ? m_table.source(p.h) : m_table.target(p.h); }
+  const Point& point(const Index x) const { return m_walker.surface().point(Vertex(x)); }
   Index vertex_at(const Place& place) const;
   Index piece_at(const Place& place) const;
   double position(const Place& place, Index piece) const;
@@ -74,69 +90,72 @@ private:
   double way_along(Index piece, const Vector& displacement) const;
   Index shortest_line(Index x, Index y) const;
 
-  const Surface_walker& walker_;
-  const Lean_triangulation& table_;
-  std::vector<std::array<Index, 2>> incident_;   // of an input vertex: halfedges of two line edges; of one at an end
-  std::vector<Index> piece_of_;                  // of a halfedge
-  std::vector<Piece> pieces_;
-  std::vector<Line> lines_;
+  const Surface_walker& m_walker;
+  const Lean_triangulation& m_table;
+  std::vector<std::array<Index, 2>> m_incident; // of an input vertex: halfedges of two line edges; of one at an end
+  std::vector<Index> m_piece_of;                // of a halfedge
+  std::vector<Piece> m_pieces;
+  std::vector<Line> m_lines;
 };
 
 inline Line_walker::Line_walker(const Surface_walker& walker, const Constraints& constraints)
-  : walker_(walker), table_(walker.triangulation())
+  : m_walker(walker), m_table(walker.triangulation())
 {
   find_ends(constraints);
-  if(incident_.empty())
+  if(m_incident.empty())
     return;
-  piece_of_.assign(4 * table_.face_slots(), none);
+  m_piece_of.assign(4 * m_table.face_slots(), none);
   const auto follow_where = [&](const auto& is_start) {
-    for(Index h = 0; h < piece_of_.size(); ++h)
-      if((h & 3) != 3 && table_.is_constrained(h))
-        for(const Index x : {table_.source(h), table_.target(h)})
-          if(piece_of_[h] == none && is_start(x))
+    for(Index h = 0; h < m_piece_of.size(); ++h)
+      if((h & 3) != 3 && m_table.is_constrained(h))
+        for(const Index x : {m_table.source(h), m_table.target(h)})
+          if(m_piece_of[h] == none && is_start(x))
             follow(canonical(h), x);
   };
   follow_where([&](const Index x) { return is_end(x); });
-  follow_where([](Index) { return true; });       // what is left are closed lines
+  follow_where([](Index) { return true; }); // what is left are closed lines
 }
 
 inline void Line_walker::find_ends(const Constraints& constraints)
 {
   std::vector<Index> degree;
-  for(Index h = 0; h < 4 * table_.face_slots(); ++h) {
-    if((h & 3) == 3 || !table_.is_constrained(h) || canonical(h) != h)
+  for(Index h = 0; h < 4 * m_table.face_slots(); ++h)
+  {
+    if((h & 3) == 3 || !m_table.is_constrained(h) || canonical(h) != h)
       continue;
-    degree.resize(table_.vertex_slots(), 0);
-    incident_.resize(table_.vertex_slots(), {{none, none}});
-    for(const Index x : {table_.source(h), table_.target(h)}) {
+    degree.resize(m_table.vertex_slots(), 0);
+    m_incident.resize(m_table.vertex_slots(), {{none, none}});
+    for(const Index x : {m_table.source(h), m_table.target(h)})
+    {
       if(degree[x] < 2)
-        incident_[x][degree[x]] = h;
+        m_incident[x][degree[x]] = h;
       ++degree[x];
     }
   }
   for(Index x = 0; x < degree.size(); ++x)
     if(degree[x] != 2 || (!constraints.is_corner.empty() && constraints.is_corner[x]))
-      incident_[x][1] = none;
+      m_incident[x][1] = none;
 }
 
 // From an end to the next, or around. The edge at an end that `incident_` does not know is not asked for.
 inline void Line_walker::follow(Index h, const Index from)
 {
-  const Index number = static_cast<Index>(lines_.size()), first = static_cast<Index>(pieces_.size());
+  const Index number = static_cast<Index>(m_lines.size()), first = static_cast<Index>(m_pieces.size());
   double length = 0.;
   Index x = from;
-  while(h != none && piece_of_[h] == none) {
-    piece_of_[h] = static_cast<Index>(pieces_.size());
-    if(table_.opposite(h) != none)
-      piece_of_[table_.opposite(h)] = piece_of_[h];
-    const bool is_reversed = table_.source(h) != x;
-    const double piece = std::sqrt(squared_distance(point(table_.source(h)), point(table_.target(h))));
-    pieces_.push_back({h, is_reversed, number, length, piece});
+  while(h != none && m_piece_of[h] == none)
+  {
+    m_piece_of[h] = static_cast<Index>(m_pieces.size());
+    if(m_table.opposite(h) != none)
+      m_piece_of[m_table.opposite(h)] = m_piece_of[h];
+    const bool is_reversed = m_table.source(h) != x;
+    const double piece = std::sqrt(squared_distance(point(m_table.source(h)), point(m_table.target(h))));
+    m_pieces.push_back({h, is_reversed, number, length, piece});
     length += piece;
-    x = is_reversed ? table_.source(h) : table_.target(h);
-    h = is_end(x) ? none : incident_[x][incident_[x][0] == h];
+    x = is_reversed ? m_table.source(h) : m_table.target(h);
+    h = is_end(x) ? none : m_incident[x][m_incident[x][0] == h];
   }
-  lines_.push_back({first, static_cast<Index>(pieces_.size()), length, x == from});
+  m_lines.push_back({first, static_cast<Index>(m_pieces.size()), length, x == from});
 }
 
 inline Line_walker::Index Line_walker::vertex_at(const Place& place) const
@@ -144,28 +163,28 @@ inline Line_walker::Index Line_walker::vertex_at(const Place& place) const
   const auto& c = place.coordinates;
   if((c[0] > 0.) + (c[1] > 0.) + (c[2] > 0.) != 1)
     return none;
-  return table_.source(4 * static_cast<Index>(place.face) + (c[0] > 0. ? 0 : c[1] > 0. ? 1 : 2));
+  return m_table.source(4 * static_cast<Index>(place.face) + (c[0] > 0. ? 0 : c[1] > 0. ? 1 : 2));
 }
 
 inline Line_walker::Index Line_walker::piece_at(const Place& place) const
 {
   const Index x = vertex_at(place), f = place.face;
   if(x != none)
-    return incident_[x][0] == none ? none : piece_of_[incident_[x][0]];
+    return m_incident[x][0] == none ? none : m_piece_of[m_incident[x][0]];
   for(Index i = 0; i < 3; ++i)
     if(!(place.coordinates[(i + 2) % 3] > 0.))
-      return piece_of_[4 * f + i];
+      return m_piece_of[4 * f + i];
   return none;
 }
 
 // Of a place that is on this piece
 inline double Line_walker::position(const Place& place, const Index piece) const
 {
-  const Piece& p = pieces_[piece];
+  const Piece& p = m_pieces[piece];
   const Index f = place.face;
   double weight = 0.;
   for(Index i = 0; i < 3; ++i)
-    if(table_.source(4 * f + i) == end(p))
+    if(m_table.source(4 * f + i) == end(p))
       weight = place.coordinates[i];
   return p.begin + weight * p.length;
 }
@@ -174,30 +193,31 @@ inline double Line_walker::position(const Place& place, const Index piece) const
 inline double Line_walker::position_on(const Place& place, const Line& line) const
 {
   const Index x = vertex_at(place);
-  if(x != none && x == start(pieces_[line.first]))
+  if(x != none && x == start(m_pieces[line.first]))
     return 0.;
   return x != none && is_end(x) ? line.length : position(place, piece_at(place));
 }
 
 inline double Line_walker::way_along(const Index piece, const Vector& displacement) const
 {
-  const Piece& p = pieces_[piece];
+  const Piece& p = m_pieces[piece];
   return p.length > 0. ? displacement * (point(end(p)) - point(start(p))) / p.length : 0.;
 }
 
 // The place at a position of a line, sought from one of its pieces on
 inline Place Line_walker::place_at(Index near, double at) const
 {
-  const Line& line = lines_[pieces_[near].line];
-  if(line.is_ring && line.length > 0. && !(at >= 0. && at < line.length)) {
+  const Line& line = m_lines[m_pieces[near].line];
+  if(line.is_ring && line.length > 0. && !(at >= 0. && at < line.length))
+  {
     near = at < 0. ? line.last - 1 : line.first;
     at -= line.length * std::floor(at / line.length);
   }
-  while(near + 1 < line.last && at > pieces_[near].begin + pieces_[near].length)
+  while(near + 1 < line.last && at > m_pieces[near].begin + m_pieces[near].length)
     ++near;
-  while(near > line.first && at < pieces_[near].begin)
+  while(near > line.first && at < m_pieces[near].begin)
     --near;
-  const Piece& p = pieces_[near];
+  const Piece& p = m_pieces[near];
   const double t = p.length > 0. ? (std::min)((std::max)((at - p.begin) / p.length, 0.), 1.) : 0.;
   Place place{Face(Lean_triangulation::face(p.h)), {{0., 0., 0.}}};
   place.coordinates[p.h & 3] = p.is_reversed ? t : 1. - t;
@@ -214,24 +234,28 @@ inline Place Line_walker::slide(const Place& from, const Vector& displacement) c
   double way = 0.;
   if(x == none)
     way = way_along(piece, displacement);
-  else if(!is_end(x)) {
+  else if(!is_end(x))
+  {
     // Where the line bends, along that of its two edges which leads more the way of the displacement.
     double farthest = 0.;
-    for(const Index h : incident_[x]) {
-      const double along = way_along(piece_of_[h], displacement);
-      const double away = start(pieces_[piece_of_[h]]) == x ? along : -along;
-      if(away > farthest) {
+    for(const Index h : m_incident[x])
+    {
+      const double along = way_along(m_piece_of[h], displacement);
+      const double away = start(m_pieces[m_piece_of[h]]) == x ? along : -along;
+      if(away > farthest)
+      {
         farthest = away;
-        piece = piece_of_[h];
+        piece = m_piece_of[h];
         way = along;
       }
     }
   }
-  const Line& line = lines_[pieces_[piece].line];
+  const Line& line = m_lines[m_pieces[piece].line];
   if(!(std::abs(way) > 0.) || !(line.length > 0.))
     return from;
   const double at = position(from, piece);
-  if(is_end(start(pieces_[line.first]))) {
+  if(is_end(start(m_pieces[line.first])))
+  {
     if(!(at + way > 0.))
       way = -.5 * at;
     if(!(at + way < line.length))
@@ -244,33 +268,37 @@ inline Line_walker::Index Line_walker::shortest_line(const Index x, const Index 
 {
   Index best = none;
   const auto look = [&](const Index h) {
-    if(!table_.is_constrained(h))
+    if(!m_table.is_constrained(h))
       return;
-    const Index number = pieces_[piece_of_[h]].line;
-    const Line& line = lines_[number];
-    const Index first = start(pieces_[line.first]), last = end(pieces_[line.last - 1]);
-    if(((first == x && last == y) || (first == y && last == x)) &&
-       (best == none || line.length < lines_[best].length))
+    const Index number = m_pieces[m_piece_of[h]].line;
+    const Line& line = m_lines[number];
+    const Index first = start(m_pieces[line.first]), last = end(m_pieces[line.last - 1]);
+    if(((first == x && last == y) || (first == y && last == x)) && (best == none || line.length < m_lines[best].length))
       best = number;
   };
-  table_.for_each_outgoing(x, [&](const Index h) { look(h); look(Lean_triangulation::previous(h)); });
+  m_table.for_each_outgoing(x, [&](const Index h) {
+    look(h);
+    look(Lean_triangulation::previous(h));
+  });
   return best;
 }
 
 inline Place Line_walker::middle(const Place& from, const Place& to, const Place& beside) const
 {
   const Index x = vertex_at(from), y = vertex_at(to);
-  if(x != none && is_end(x)) {
+  if(x != none && is_end(x))
+  {
     const Index number = y == none ? none : shortest_line(x, y);
-    return number == none ? Place() : place_at(lines_[number].first, .5 * lines_[number].length);
+    return number == none ? Place() : place_at(m_lines[number].first, .5 * m_lines[number].length);
   }
   const Index piece = piece_at(from), other = piece_at(to);
-  if(piece == none || other == none || ((y == none || !is_end(y)) && pieces_[piece].line != pieces_[other].line))
+  if(piece == none || other == none || ((y == none || !is_end(y)) && m_pieces[piece].line != m_pieces[other].line))
     return Place();
-  const Line& line = lines_[pieces_[piece].line];
+  const Line& line = m_lines[m_pieces[piece].line];
   const double at = position(from, piece);
   double way = position_on(to, line) - at;
-  if(line.is_ring) {
+  if(line.is_ring)
+  {
     const auto forward = [&](const double d) { return d < 0. ? d + line.length : d; };
     const double side = forward(position_on(beside, line) - at);
     way = forward(way) < side ? forward(way) : forward(way) - line.length;
@@ -283,10 +311,11 @@ inline Line_walker::Stretch Line_walker::stretch(const Place& place, const Place
   const Index piece = piece_at(place), x = vertex_at(place);
   if(piece == none || (x != none && is_end(x)))
     return {none, 0., 0., 0.};
-  const Line& line = lines_[pieces_[piece].line];
+  const Line& line = m_lines[m_pieces[piece].line];
   const double at = position(place, piece);
   double low = position_on(one, line), high = position_on(other, line);
-  if(line.is_ring) {
+  if(line.is_ring)
+  {
     const auto forward = [&](const double d) { return d < 0. ? d + line.length : d; };
     low = forward(low - at);
     high = forward(high - at);
@@ -302,22 +331,24 @@ inline Line_walker::Stretch Line_walker::stretch(const Place& place, const Place
 template <class Visit>
 void Line_walker::for_each_point(const Index near, const double low, const double high, const Visit& visit) const
 {
-  const Line& line = lines_[pieces_[near].line];
+  const Line& line = m_lines[m_pieces[near].line];
   const auto visit_if_between = [&](const Index i, const double turn) {
-    const double at = pieces_[i].begin + turn;
+    const double at = m_pieces[i].begin + turn;
     if(at > low && at < high)
-      visit(point(start(pieces_[i])));
+      visit(point(start(m_pieces[i])));
     return at;
   };
   double turn = 0.;
-  for(Index i = near; visit_if_between(i, turn) > low;) {
+  for(Index i = near; visit_if_between(i, turn) > low;)
+  {
     if(i == line.first && !line.is_ring)
       break;
     turn -= i == line.first ? line.length : 0.;
     i = i == line.first ? line.last - 1 : i - 1;
   }
   turn = 0.;
-  for(Index i = near;;) {
+  for(Index i = near;;)
+  {
     if(i + 1 == line.last && !line.is_ring)
       break;
     turn += i + 1 == line.last ? line.length : 0.;

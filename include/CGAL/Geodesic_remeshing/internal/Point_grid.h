@@ -105,10 +105,10 @@ private:
 
   std::uint32_t bucket(const Grid& g, std::int64_t x, std::int64_t y, std::int64_t z) const
   {
-    const std::uint64_t h = static_cast<std::uint64_t>(static_cast<std::int64_t>(g.level)) * 0xD6E8FEB86659FD93ull
-                          ^ static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ull
-                          ^ static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Full
-                          ^ static_cast<std::uint64_t>(z) * 0x165667B19E3779F9ull;
+    const std::uint64_t h = static_cast<std::uint64_t>(static_cast<std::int64_t>(g.level)) * 0xD6E8FEB86659FD93ull ^
+                            static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ull ^
+                            static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Full ^
+                            static_cast<std::uint64_t>(z) * 0x165667B19E3779F9ull;
     return static_cast<std::uint32_t>((h >> 29) & (m_first.size() - 1));
   }
 

@@ -24,7 +24,8 @@ namespace internal {
 // The one place where the points of users meet those of the stages. It asks nothing of the former but what the geometric traits
 // tell of them, so that they may be of any type, and rounds coordinates to the nearest double.
 template <class Traits, class User_point>
-Point to_point(const Traits traits, const User_point& p) // a traits class is mostly empty, and g++ warns of references to such
+Point to_point(const Traits traits,
+               const User_point& p) // a traits class is mostly empty, and g++ warns of references to such
 {
   return Point(CGAL::to_double(traits.compute_x_3_object()(p)), CGAL::to_double(traits.compute_y_3_object()(p)),
                CGAL::to_double(traits.compute_z_3_object()(p)));
@@ -41,7 +42,8 @@ template <class Graph, class NamedParameters>
 auto geom_traits_of(const NamedParameters& np)
 {
   using Traits = typename GetGeomTraits<Graph, NamedParameters>::type;
-  return Traits(CGAL::parameters::choose_parameter<Traits>(CGAL::parameters::get_parameter(np, internal_np::geom_traits)));
+  return Traits(
+      CGAL::parameters::choose_parameter<Traits>(CGAL::parameters::get_parameter(np, internal_np::geom_traits)));
 }
 
 // The points of the vertices of a mesh of the user
@@ -93,7 +95,7 @@ auto output_points_of(OutputMesh& out, const NamedParameters& np)
   Map map = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
                                                get_property_map(vertex_point, out));
   return Converting_point_map<Map, typename GetGeomTraits<OutputMesh, NamedParameters>::type>{
-    map, geom_traits_of<OutputMesh>(np)};
+      map, geom_traits_of<OutputMesh>(np)};
 }
 
 } // namespace internal

@@ -34,7 +34,8 @@ public:
 
   // If valences shall be kept regular, flips that make them less so are left to angles below 30 degrees.
   explicit Polish(Remeshed_surface& remeshed, const bool keep_regular = false)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), keep_regular_(keep_regular) {}
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_keep_regular(keep_regular)
+  {}
 
   // Treats every triangle worse than the given badness once, the worst first. Returns the number of them.
   std::size_t run(double badness, bool do_collapse);
@@ -46,46 +47,53 @@ private:
   bool better_by_flip(Index h);
   bool better_by_collapse(Index h);
   bool better_by_split(Index h);
-  template <class Vertices> double badness_around(const Vertices& vertices) const;
-  template <class Vertices> bool keep_if_better(const Vertices& vertices, double before);
+  template <class Vertices>
+  double badness_around(const Vertices& vertices) const;
+  template <class Vertices>
+  bool keep_if_better(const Vertices& vertices, double before);
   double face_badness(Index f) const;
 
-  Remeshed_surface& remeshed_;
-  Lean_triangulation& table_;
-  bool keep_regular_;
+  Remeshed_surface& m_remeshed;
+  Lean_triangulation& m_table;
+  bool m_keep_regular;
 };
 
 inline double Polish::face_badness(const Index f) const
 {
-  return remeshed_.badness(table_.source(4 * f), table_.source(4 * f + 1), table_.source(4 * f + 2));
+  return m_remeshed.badness(m_table.source(4 * f), m_table.source(4 * f + 1), m_table.source(4 * f + 2));
 }
 
 inline std::size_t Polish::run(const double badness, const bool do_collapse)
 {
   static const double poor = badness_of_angle(30.);
-  struct Bad { double badness; Index f; };
+  struct Bad
+  {
+    double badness;
+    Index f;
+  };
   std::vector<Bad> bad;
-  for(Index f = 0; f < table_.face_slots(); ++f)
-    if(!table_.is_removed_face(f) && face_badness(f) > badness)
+  for(Index f = 0; f < m_table.face_slots(); ++f)
+    if(!m_table.is_removed_face(f) && face_badness(f) > badness)
       bad.push_back({face_badness(f), f});
-  std::sort(bad.begin(), bad.end(), [](const Bad& x, const Bad& y) {
-    return std::tie(y.badness, x.f) < std::tie(x.badness, y.f);
-  });
-  for(const Bad& x : bad) {
-    const auto is_mended = [&] { return table_.is_removed_face(x.f) || face_badness(x.f) <= badness; };
+  std::sort(bad.begin(), bad.end(),
+            [](const Bad& x, const Bad& y) { return std::tie(y.badness, x.f) < std::tie(x.badness, y.f); });
+  for(const Bad& x : bad)
+  {
+    const auto is_mended = [&] { return m_table.is_removed_face(x.f) || face_badness(x.f) <= badness; };
     const auto try_each = [&](auto&& better) {
       for(Index h = 4 * x.f; h < 4 * x.f + 3 && !is_mended(); ++h)
         better(h);
     };
-    try_each([&](const Index h) { better_vertex(table_.source(h)); });
+    try_each([&](const Index h) { better_vertex(m_table.source(h)); });
     try_each([&](const Index h) {
-      if(!keep_regular_ || face_badness(x.f) > poor || (table_.is_flip_legal(h) && remeshed_.energy().of_flip(h) <= 0))
+      if(!m_keep_regular || face_badness(x.f) > poor ||
+         (m_table.is_flip_legal(h) && m_remeshed.energy().of_flip(h) <= 0))
         better_by_flip(h);
     });
     if(do_collapse)
       try_each([&](const Index h) {
-        if(!better_by_collapse(h) && table_.opposite(h) != Lean_triangulation::none)
-          better_by_collapse(table_.opposite(h));
+        if(!better_by_collapse(h) && m_table.opposite(h) != Lean_triangulation::none)
+          better_by_collapse(m_table.opposite(h));
       });
     if(do_collapse)
       try_each([&](const Index h) { better_by_split(h); });
@@ -96,72 +104,76 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
 // Tries steps along the edges, forth and back, long ones first, as long as one of them helps.
 inline bool Polish::better_vertex(const Index v)
 {
-  if(remeshed_.is_fixed(v))
+  if(m_remeshed.is_fixed(v))
     return false;
   constexpr std::array<double, 6> steps = {{.3, -.3, .1, -.1, .03, -.03}};
-  const double start = remeshed_.ring_badness(v);
+  const double start = m_remeshed.ring_badness(v);
   double best = start;
   bool has_moved = true;
-  for(int round = 0; round < 4 && has_moved; ++round) {
+  for(int round = 0; round < 4 && has_moved; ++round)
+  {
     has_moved = false;
     for(const double step : steps)
-      table_.for_each_neighbor(v, [&](const Index w) {
-        const Remeshed_surface::Spot old = remeshed_.spot(v);
-        remeshed_.put(v, remeshed_.spot_after(v, step * (remeshed_.spot(w).point - old.point)));
-        const double badness = remeshed_.ring_badness(v);
-        if(badness < best) {
+      m_table.for_each_neighbor(v, [&](const Index w) {
+        const Remeshed_surface::Spot old = m_remeshed.spot(v);
+        m_remeshed.put(v, m_remeshed.spot_after(v, step * (m_remeshed.spot(w).point - old.point)));
+        const double badness = m_remeshed.ring_badness(v);
+        if(badness < best)
+        {
           best = badness;
           has_moved = true;
         }
         else
-          remeshed_.put(v, old);
+          m_remeshed.put(v, old);
       });
   }
   return best < start;
 }
 
-template <class Vertices> double Polish::badness_around(const Vertices& vertices) const
+template <class Vertices>
+double Polish::badness_around(const Vertices& vertices) const
 {
   double sum = 0.;
   for(const Index v : vertices)
-    sum = add_badness(sum, remeshed_.ring_badness(v));
+    sum = add_badness(sum, m_remeshed.ring_badness(v));
   return sum;
 }
 
 // Ends a trial that began with `record()`.
-template <class Vertices> bool Polish::keep_if_better(const Vertices& vertices, const double before)
+template <class Vertices>
+bool Polish::keep_if_better(const Vertices& vertices, const double before)
 {
   for(int round = 0; round < 2; ++round)
     for(const Index v : vertices)
       better_vertex(v);
-  const bool is_better = badness_around(vertices) < before && !has_intersections_near(remeshed_, vertices);
+  const bool is_better = badness_around(vertices) < before && !has_intersections_near(m_remeshed, vertices);
   if(!is_better)
-    remeshed_.undo_to({0, 0});
-  remeshed_.forget();
+    m_remeshed.undo_to({0, 0});
+  m_remeshed.forget();
   return is_better;
 }
 
 inline bool Polish::better_by_flip(const Index h)
 {
-  if(!table_.is_flip_legal(h))
+  if(!m_table.is_flip_legal(h))
     return false;
-  const Index o = table_.opposite(h);
-  const std::array<Index, 4> vertices = {{table_.source(h), table_.target(h), table_.apex(h), table_.apex(o)}};
+  const Index o = m_table.opposite(h);
+  const std::array<Index, 4> vertices = {{m_table.source(h), m_table.target(h), m_table.apex(h), m_table.apex(o)}};
   const double before = badness_around(vertices);
-  remeshed_.record();
-  table_.flip(h);
+  m_remeshed.record();
+  m_table.flip(h);
   return keep_if_better(vertices, before);
 }
 
 inline bool Polish::better_by_collapse(const Index h)
 {
-  if(remeshed_.is_fixed(table_.target(h)) || !table_.is_collapse_legal(h))
+  if(m_remeshed.is_fixed(m_table.target(h)) || !m_table.is_collapse_legal(h))
     return false;
-  const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
-  const Index d = o == Lean_triangulation::none ? a : table_.apex(o);
+  const Index o = m_table.opposite(h), a = m_table.source(h), b = m_table.target(h), c = m_table.apex(h);
+  const Index d = o == Lean_triangulation::none ? a : m_table.apex(o);
   const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
-  remeshed_.record();
-  table_.collapse(h);
+  m_remeshed.record();
+  m_table.collapse(h);
   return keep_if_better(std::array<Index, 4>{{a, a, c, d}}, before);
 }
 
@@ -170,17 +182,17 @@ inline bool Polish::better_by_collapse(const Index h)
 inline bool Polish::better_by_split(const Index h)
 {
   Remeshed_surface::Spot middle;
-  if((remeshed_.has_lines() && !table_.is_constrained(h)) || !remeshed_.find_middle(h, middle))
+  if((m_remeshed.has_lines() && !m_table.is_constrained(h)) || !m_remeshed.find_middle(h, middle))
     return false;
-  const Index o = table_.opposite(h), a = table_.source(h), b = table_.target(h), c = table_.apex(h);
-  const Index d = o == Lean_triangulation::none ? a : table_.apex(o);
+  const Index o = m_table.opposite(h), a = m_table.source(h), b = m_table.target(h), c = m_table.apex(h);
+  const Index d = o == Lean_triangulation::none ? a : m_table.apex(o);
   // It must be worth a vertex: where there cannot be good triangles each split would ask for the next.
   static const double good = badness_of_angle(25.);
   const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
-  remeshed_.reserve_free(1);
-  remeshed_.record();
-  const Index w = table_.split_edge(h);
-  remeshed_.put(w, middle);
+  m_remeshed.reserve_free(1);
+  m_remeshed.record();
+  const Index w = m_table.split_edge(h);
+  m_remeshed.put(w, middle);
   return keep_if_better(std::array<Index, 5>{{w, a, b, c, d}}, (std::max)(.6 * before, (std::min)(before, good)));
 }
 

@@ -55,8 +55,7 @@ public:
     if(candidates.size() == 1)
       return candidates.front();
     int found = candidates.front();
-    m_search.until(saddle, neighbour, [&](Vertex v)
-    {
+    m_search.until(saddle, neighbour, [&](Vertex v) {
       if(std::find(candidates.begin(), candidates.end(), m_front_of[v]) == candidates.end())
         return false;
       found = m_front_of[v];
@@ -152,8 +151,9 @@ private:
     for(const auto& way : ways)
       if(!way.empty())
         met.push_back(whole_region(m_result.region[way.back()]));
-    const auto is_centre = [this](int r)
-    { return m_result.regions[r].kind == Region_kind::leaf && m_result.regions[r].number_of_levels == 0; };
+    const auto is_centre = [this](int r) {
+      return m_result.regions[r].kind == Region_kind::leaf && m_result.regions[r].number_of_levels == 0;
+    };
     const auto joined = std::find_if_not(met.begin(), met.end(), is_centre);
     for(int r : met)
       if(is_centre(r) && r != (joined == met.end() ? met.front() : *joined) && m_result.regions[r].part_of < 0)
@@ -212,9 +212,11 @@ private:
       }
     }
     for(Vertex v : waiting)
-      if(!m_fronts.is_taken(v) && m_front_of[v] >= 0 && m_front_of[v] < static_cast<int>(m_growth.open.size()) && !opened.empty())
+      if(!m_fronts.is_taken(v) && m_front_of[v] >= 0 && m_front_of[v] < static_cast<int>(m_growth.open.size()) &&
+         !opened.empty())
       {
-        const int r = std::find(opened.begin(), opened.end(), m_front_of[v]) != opened.end() ? m_front_of[v] : opened.front();
+        const int r =
+            std::find(opened.begin(), opened.end(), m_front_of[v]) != opened.end() ? m_front_of[v] : opened.front();
         m_growth.open[r].waiting.push_back(v);
         m_growth.open[r].sources.emplace_back(v, field_below(v, closed));
       }

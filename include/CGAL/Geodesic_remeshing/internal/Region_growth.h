@@ -33,8 +33,8 @@ namespace internal {
 class Region_growth
 {
 public:
-  Region_growth(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance, const Vertex_order& order,
-                double curve_distance)
+  Region_growth(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance,
+                const Vertex_order& order, double curve_distance)
     : fronts(mesh), m_mesh(mesh), m_marching(marching), m_distance(distance), m_order(order),
       m_curve_distance(curve_distance), m_top_of(mesh.number_of_vertices(), -1)
   {
@@ -78,11 +78,11 @@ public:
     region.bottom = junction;
     march(r);
     const bool one_sided = mark_side(r, saddle);
-    const auto domain = [&](Vertex v)
-    { return is_unowned(v) && (!one_sided || m_side_of[v] == r || m_order.rank[v] <= m_order.rank[saddle]); };
+    const auto domain = [&](Vertex v) {
+      return is_unowned(v) && (!one_sided || m_side_of[v] == r || m_order.rank[v] <= m_order.rank[saddle]);
+    };
     double reach = 0.;
-    m_marching.march(shape(r), domain, [&](Vertex v, double d)
-    {
+    m_marching.march(shape(r), domain, [&](Vertex v, double d) {
       if(is_unowned(v) && m_order.rank[v] <= m_order.rank[saddle])
       {
         reach = (std::max)(0., d - (m_distance[saddle] - m_distance[v]));
@@ -126,8 +126,12 @@ public:
   {
     march(r);
     bool found = false;
-    m_marching.march(shape(r), [this](Vertex v) { return is_unowned(v); },
-                     [&](Vertex v, double) { found = found || v == root; return !found; });
+    m_marching.march(
+        shape(r), [this](Vertex v) { return is_unowned(v); },
+        [&](Vertex v, double) {
+          found = found || v == root;
+          return !found;
+        });
     return found;
   }
 
@@ -138,7 +142,8 @@ public:
     region.bottom = result.number_of_junctions++;
     march(r);
     const double offset = open[r].offset;
-    m_marching.march(shape(r), [&](Vertex v) { return offset > 0. || is_unowned(v); }, [](Vertex, double) { return true; });
+    m_marching.march(
+        shape(r), [&](Vertex v) { return offset > 0. || is_unowned(v); }, [](Vertex, double) { return true; });
     double height = 0.;
     for(Vertex v : m_marching.reached())
       if(is_unowned(v) && (!is_root || v == root))
@@ -225,10 +230,7 @@ private:
   }
 
   // From a centre the fronts are circles, from the spectacles they are curves.
-  Front_shape shape(int r) const
-  {
-    return open[r].sources.size() == 1 ? Front_shape::circular : Front_shape::planar;
-  }
+  Front_shape shape(int r) const { return open[r].sources.size() == 1 ? Front_shape::circular : Front_shape::planar; }
 
   bool is_unowned(Vertex v) const { return result.field_region[v] < 0; }
 
@@ -270,8 +272,10 @@ private:
     for(Vertex v : m_marching.reached())
       if(is_unowned(v) && m_marching.distance(v) <= height)
         near.push_back(v);
-    std::sort(near.begin(), near.end(), [this](Vertex a, Vertex b)
-              { const double p = m_marching.distance(a), q = m_marching.distance(b); return p < q || (!(q < p) && a < b); });
+    std::sort(near.begin(), near.end(), [this](Vertex a, Vertex b) {
+      const double p = m_marching.distance(a), q = m_marching.distance(b);
+      return p < q || (!(q < p) && a < b);
+    });
     for(Vertex v : near)
     {
       result.field_region[v] = r;
@@ -282,8 +286,7 @@ private:
     for(const auto& source : open[r].sources)
       m_top_of[source.first] = r;
     const auto is_own = [&](Vertex v) { return result.region[v] == r || m_top_of[v] == r; };
-    fronts.sweep(near, is_own, [&](Vertex v)
-    {
+    fronts.sweep(near, is_own, [&](Vertex v) {
       result.region[v] = r;
       result.time[v] = result.regions[r].bottom;
     });

@@ -48,8 +48,8 @@ public:
   // on do not count. Beside lines there must be room for triangles.
   bool is_free(const Sample& sample, std::size_t first_of_curve)
   {
-    return !(sample.distance_from_lines < room_beside_lines * m_edge_length)
-        && is_free(sample.face, sample.point, sample.size, first_of_curve);
+    return !(sample.distance_from_lines < room_beside_lines * m_edge_length) &&
+           is_free(sample.face, sample.point, sample.size, first_of_curve);
   }
 
   // Samples on another sheet, however near, do no harm, if it is another one as far as the triangles to come reach: around a limb
@@ -58,8 +58,9 @@ public:
   {
     bool free = true;
     const double distance = .5 * m_edge_length * size;
-    m_grid.near(p, size, distance, [&](std::uint32_t id, const Point&, double)
-    { free = free && (id >= first_of_curve || !m_sheets.connects(f, m_samples[id].face, p, 3. * distance)); });
+    m_grid.near(p, size, distance, [&](std::uint32_t id, const Point&, double) {
+      free = free && (id >= first_of_curve || !m_sheets.connects(f, m_samples[id].face, p, 3. * distance));
+    });
     return free;
   }
 

@@ -40,7 +40,8 @@ class Sampled_path
 {
 public:
   Sampled_path(const Mesh& surface, const Working_surface& working, const Line_samples& lines)
-    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_metric(working.mesh), m_lines(lines)
+    : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_metric(working.mesh),
+      m_lines(lines)
   {}
 
   Path_point on_edge(Halfedge h, double position) const
@@ -56,8 +57,8 @@ public:
       m_path.push_back(path.front());
     m_length.assign(1, 0.);
     for(std::size_t i = 1; i < m_path.size(); ++i)
-      m_length.push_back(m_length.back() + .5 * (m_path[i - 1].density + m_path[i].density)
-                                             * std::sqrt(CGAL::squared_distance(m_path[i - 1].point, m_path[i].point)));
+      m_length.push_back(m_length.back() + .5 * (m_path[i - 1].density + m_path[i].density) *
+                                               std::sqrt(CGAL::squared_distance(m_path[i - 1].point, m_path[i].point)));
   }
 
   Sample sample_at(double s, int region, int level) const
@@ -80,11 +81,11 @@ private:
     const Face f = m_mesh.face(a.halfedge);
     std::array<double, 3> weights = {{0., 0., 0.}};
     const auto corners = vertices_of(m_mesh, f);
-    const auto put = [&](const Path_point& p, double w)
-    {
+    const auto put = [&](const Path_point& p, double w) {
       for(int i = 0; i < 3; ++i)
-        weights[i] += w * (corners[i] == m_mesh.source(p.halfedge) ? 1. - p.position
-                         : corners[i] == m_mesh.target(p.halfedge) ? p.position : 0.);
+        weights[i] += w * (corners[i] == m_mesh.source(p.halfedge)   ? 1. - p.position
+                           : corners[i] == m_mesh.target(p.halfedge) ? p.position
+                                                                     : 0.);
     };
     put(a, 1. - t);
     put(b, t);

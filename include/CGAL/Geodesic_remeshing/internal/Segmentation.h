@@ -21,8 +21,7 @@ namespace Geodesic_remeshing {
  * \ingroup PkgGeodesicRemeshingRegionsRef
  * The three kinds of regions of a region tree (paper, section 5).
  */
-enum class Region_kind
-{
+enum class Region_kind {
   leaf,     ///< a disc around a maximum of the distance from the root
   interior, ///< an annulus between the fronts of its children and the next meeting of fronts
   root      ///< the disc around the root
@@ -36,15 +35,15 @@ namespace internal {
 struct Region
 {
   Region_kind kind = Region_kind::interior;
-  std::vector<std::size_t> parents;   // the regions below: one, or two below the saddle where a front splits at a handle
-  std::vector<std::size_t> children;  // the regions above: none for a leaf
-  Vertex centre;                      // the maximum of a leaf, the root, or the saddle where the fronts above meet
-  double height = 0.;                 // from top to bottom; zero for a region that degenerates to its top
-  double spacing = 0.;                // of its curves: C_d, or a little less or more in the root region
-  int number_of_levels = 0;           // curves at spacing, 2 * spacing, ..., number_of_levels * spacing from the top,
-  std::vector<double> values;         // or at these distances, if there are any
-  std::size_t top = 0, bottom = 0;    // the junctions where the region begins and ends
-  int part_of = -1;                   // of a leaf that degenerates to its centre: the region that this counts to, if any
+  std::vector<std::size_t> parents;  // the regions below: one, or two below the saddle where a front splits at a handle
+  std::vector<std::size_t> children; // the regions above: none for a leaf
+  Vertex centre;                     // the maximum of a leaf, the root, or the saddle where the fronts above meet
+  double height = 0.;                // from top to bottom; zero for a region that degenerates to its top
+  double spacing = 0.;               // of its curves: C_d, or a little less or more in the root region
+  int number_of_levels = 0;          // curves at spacing, 2 * spacing, ..., number_of_levels * spacing from the top,
+  std::vector<double> values;        // or at these distances, if there are any
+  std::size_t top = 0, bottom = 0;   // the junctions where the region begins and ends
+  int part_of = -1;                  // of a leaf that degenerates to its centre: the region that this counts to, if any
 
   double value(int level) const { return values.empty() ? level * spacing : values[level - 1]; }
 };
@@ -53,18 +52,18 @@ struct Region
 // surface of genus 0 it is the paper's tree; each handle adds a front that splits and later meets itself.
 struct Segmentation
 {
-  std::vector<Region> regions;         // children before their parents
+  std::vector<Region> regions; // children before their parents
   std::size_t number_of_junctions = 0;
 
   // Of each vertex:
-  std::vector<int> region;             // the region that took it; these sets are discs and annuli
-  std::vector<int> field_region;       // the region that `field` counts in; differs from `region` only where a front folds
-  std::vector<double> field;           // the distance from the top of `field_region`
-  std::vector<std::size_t> time;       // the number of junctions there were when it was taken
-  std::vector<int> level;              // it lies inside the curves number `level`, `level + 1`, ... of `field_region`
+  std::vector<int> region;       // the region that took it; these sets are discs and annuli
+  std::vector<int> field_region; // the region that `field` counts in; differs from `region` only where a front folds
+  std::vector<double> field;     // the distance from the top of `field_region`
+  std::vector<std::size_t> time; // the number of junctions there were when it was taken
+  std::vector<int> level;        // it lies inside the curves number `level`, `level + 1`, ... of `field_region`
 
   std::vector<std::vector<Vertex>> bridges; // the spectacles' middles: from front to front through a saddle
-  std::vector<Vertex> tips;            // the maxima that are not noise: horns, ears, fingers
+  std::vector<Vertex> tips;                 // the maxima that are not noise: horns, ears, fingers
 };
 
 } // namespace internal

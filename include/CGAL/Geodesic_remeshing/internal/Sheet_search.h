@@ -53,7 +53,8 @@ public:
 private:
   bool reaches(Halfedge h, const Point& centre, double radius) const
   {
-    return squared_distance_to_segment(centre, m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) <= radius * radius;
+    return squared_distance_to_segment(centre, m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) <=
+           radius * radius;
   }
 
   const Mesh& m_mesh;

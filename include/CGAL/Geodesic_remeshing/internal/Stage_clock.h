@@ -26,7 +26,8 @@ class Stage_clock
 public:
   Stage_clock(Visitor& visitor, Summary& summary) : m_visitor(visitor), m_summary(summary), m_start(std::clock())
   {
-    m_summary.seconds.reserve(16); // the last stage is entered after the output has changed, when nothing may fail any more
+    m_summary.seconds.reserve(
+        16); // the last stage is entered after the output has changed, when nothing may fail any more
   }
 
   // Begins a stage, at which this part of the whole work is done, and ends the one before.
@@ -41,7 +42,10 @@ public:
 
   bool go_on(double done) { return m_visitor.progress(done); }
 
-  [[noreturn]] void give_up() const { throw Remeshing_error("geodesic remeshing: stopped by the visitor in stage " + m_name); }
+  [[noreturn]] void give_up() const
+  {
+    throw Remeshing_error("geodesic remeshing: stopped by the visitor in stage " + m_name);
+  }
 
   void stop()
   {

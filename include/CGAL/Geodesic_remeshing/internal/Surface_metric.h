@@ -53,8 +53,7 @@ public:
 
   Surface_metric(const char* function, const TriangleMesh& tmesh, const NamedParameters& np)
     : function(function), mesh(tmesh), vertex_index(get_initialized_vertex_index_map(tmesh, np)),
-      face_index(get_initialized_face_index_map(tmesh, np)),
-      m_points(tmesh, np), m_weights(choose_weights(np))
+      face_index(get_initialized_face_index_map(tmesh, np)), m_points(tmesh, np), m_weights(choose_weights(np))
   {
     check();
   }

@@ -44,41 +44,46 @@ public:
   Place walk(const Place& from, const Vector& displacement) const;
 
   // Unit normal of a face; that of a neighbour for a face without area; zero where there is none.
-  const Vector& normal(const Face f) const { return normals_[f]; }
+  const Vector& normal(const Face f) const { return m_normals[f]; }
   // That of a place on a line, zero where the faces that meet there look different ways.
   Vector normal_on_line(const Place& place) const;
   Point point(const Place& place) const;
-  const Mesh& surface() const { return surface_; }
-  const Lean_triangulation& triangulation() const { return triangulation_; }   // its constrained edges are the lines
+  const Mesh& surface() const { return m_surface; }
+  const Lean_triangulation& triangulation() const { return m_triangulation; } // its constrained edges are the lines
 
   // The faces that a place is in: one, two at an edge, all around at a vertex.
-  template <class Visit> void for_each_face_at(const Place& place, const Visit& visit) const;
+  template <class Visit>
+  void for_each_face_at(const Place& place, const Visit& visit) const;
 
 private:
   // The face's apex over a halfedge in the frame where the halfedge goes from (0,0) to (1,0).
-  struct Apex { double x, y; };
+  struct Apex
+  {
+    double x, y;
+  };
 
   void lay_out(Index f);
   void borrow_normals();
   std::array<double, 3> velocity(Face f, const Vector& displacement) const;
   void cross(Index h, Index o, std::array<double, 3>& at, std::array<double, 3>& by) const;
 
-  const Mesh& surface_;
-  Lean_triangulation triangulation_;
-  std::vector<Vector> normals_;
-  std::vector<Apex> apices_;         // one a halfedge
-  std::size_t maximum_number_of_crossings_;
+  const Mesh& m_surface;
+  Lean_triangulation m_triangulation;
+  std::vector<Vector> m_normals;
+  std::vector<Apex> m_apices; // one a halfedge
+  std::size_t m_maximum_number_of_crossings;
 };
 
 inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& constraints)
-  : surface_(surface)
-  , triangulation_(surface, [&](const Edge e) { return !constraints.is_line.empty() && constraints.is_line[e.idx()]; })
-  , normals_(surface.number_of_faces())
-  , apices_(4 * surface.number_of_faces())
-  // A straight way through a mesh crosses some sqrt(faces) edges; the constant is generous, for elongated meshes.
-  , maximum_number_of_crossings_(100 + 20 * static_cast<std::size_t>(std::sqrt(double(surface.number_of_faces()))))
+  : m_surface(surface),
+    m_triangulation(surface,
+                    [&](const Edge e) { return !constraints.is_line.empty() && constraints.is_line[e.idx()]; }),
+    m_normals(surface.number_of_faces()), m_apices(4 * surface.number_of_faces())
+    // A straight way through a mesh crosses some sqrt(faces) edges; the constant is generous, for elongated meshes.
+    ,
+    m_maximum_number_of_crossings(100 + 20 * static_cast<std::size_t>(std::sqrt(double(surface.number_of_faces()))))
 {
-  for(Index f = 0; f < triangulation_.face_slots(); ++f)
+  for(Index f = 0; f < m_triangulation.face_slots(); ++f)
     lay_out(f);
   borrow_normals();
 }
@@ -87,7 +92,7 @@ inline void Surface_walker::lay_out(const Index f)
 {
   std::array<Point, 3> p;
   for(Index i = 0; i < 3; ++i)
-    p[i] = surface_.point(Vertex(triangulation_.source(4 * f + i)));
+    p[i] = m_surface.point(Vertex(m_triangulation.source(4 * f + i)));
   const std::array<Vector, 3> e = {{p[1] - p[0], p[2] - p[1], p[0] - p[2]}};
   const std::array<double, 3> l = {{e[0].squared_length(), e[1].squared_length(), e[2].squared_length()}};
   const Vector product = cross_product(e[0], e[1]);
@@ -96,10 +101,11 @@ inline void Surface_walker::lay_out(const Index f)
   // what matters: then every apex is finite and every crossing possible.
   const double longest = (std::max)({l[0], l[1], l[2], (std::numeric_limits<double>::min)()});
   const double least_area = 1e-10 * longest, least_length = 1e-20 * longest;
-  normals_[f] = area > least_area ? product / area : Vector(0., 0., 0.);
-  for(Index i = 0; i < 3; ++i) {
+  m_normals[f] = area > least_area ? product / area : Vector(0., 0., 0.);
+  for(Index i = 0; i < 3; ++i)
+  {
     const double length = (std::max)(l[i], least_length);
-    apices_[4 * f + i] = {-(e[i] * e[(i + 2) % 3]) / length, (std::max)(area, least_area) / length};
+    m_apices[4 * f + i] = {-(e[i] * e[(i + 2) % 3]) / length, (std::max)(area, least_area) / length};
   }
 }
 
@@ -107,19 +113,24 @@ inline void Surface_walker::lay_out(const Index f)
 inline void Surface_walker::borrow_normals()
 {
   std::vector<Index> bare;
-  for(Index f = 0; f < triangulation_.face_slots(); ++f)
-    if(normals_[f] == NULL_VECTOR)
+  for(Index f = 0; f < m_triangulation.face_slots(); ++f)
+    if(m_normals[f] == NULL_VECTOR)
       bare.push_back(f);
-  for(std::size_t before = bare.size() + 1; bare.size() < before;) {
+  for(std::size_t before = bare.size() + 1; bare.size() < before;)
+  {
     before = bare.size();
-    bare.erase(std::remove_if(bare.begin(), bare.end(), [&](const Index f) {
-      for(Index h = 4 * f; h < 4 * f + 3; ++h) {
-        const Index o = triangulation_.opposite(h);
-        if(o != Lean_triangulation::none && normals_[Lean_triangulation::face(o)] != NULL_VECTOR)
-          normals_[f] = normals_[Lean_triangulation::face(o)];
-      }
-      return normals_[f] != NULL_VECTOR;
-    }), bare.end());
+    bare.erase(std::remove_if(bare.begin(), bare.end(),
+                              [&](const Index f) {
+                                for(Index h = 4 * f; h < 4 * f + 3; ++h)
+                                {
+                                  const Index o = m_triangulation.opposite(h);
+                                  if(o != Lean_triangulation::none &&
+                                     m_normals[Lean_triangulation::face(o)] != NULL_VECTOR)
+                                    m_normals[f] = m_normals[Lean_triangulation::face(o)];
+                                }
+                                return m_normals[f] != NULL_VECTOR;
+                              }),
+               bare.end());
   }
 }
 
@@ -127,30 +138,31 @@ inline void Surface_walker::borrow_normals()
 inline Point Surface_walker::point(const Place& place) const
 {
   const Index h = 4 * static_cast<Index>(place.face);
-  const Point& p = surface_.point(Vertex(triangulation_.source(h)));
-  const Point& q = surface_.point(Vertex(triangulation_.source(h + 1)));
-  const Point& r = surface_.point(Vertex(triangulation_.source(h + 2)));
+  const Point& p = m_surface.point(Vertex(m_triangulation.source(h)));
+  const Point& q = m_surface.point(Vertex(m_triangulation.source(h + 1)));
+  const Point& r = m_surface.point(Vertex(m_triangulation.source(h + 2)));
   const auto& c = place.coordinates;
-  return Point(c[0] * p.x() + c[1] * q.x() + c[2] * r.x(),
-               c[0] * p.y() + c[1] * q.y() + c[2] * r.y(),
+  return Point(c[0] * p.x() + c[1] * q.x() + c[2] * r.x(), c[0] * p.y() + c[1] * q.y() + c[2] * r.y(),
                c[0] * p.z() + c[1] * q.z() + c[2] * r.z());
 }
 
-template <class Visit> void Surface_walker::for_each_face_at(const Place& place, const Visit& visit) const
+template <class Visit>
+void Surface_walker::for_each_face_at(const Place& place, const Visit& visit) const
 {
   const auto& c = place.coordinates;
   const Index f = place.face, zeros = !(c[0] > 0.) + !(c[1] > 0.) + !(c[2] > 0.);
-  if(zeros < 2) {
+  if(zeros < 2)
+  {
     visit(place.face);
     const Index edge = !(c[0] > 0.) ? 1 : !(c[1] > 0.) ? 2 : 0;
-    const Index o = zeros == 1 ? triangulation_.opposite(4 * f + edge) : Lean_triangulation::none;
+    const Index o = zeros == 1 ? m_triangulation.opposite(4 * f + edge) : Lean_triangulation::none;
     if(o != Lean_triangulation::none)
       visit(Face(Lean_triangulation::face(o)));
     return;
   }
   const Index corner = c[0] > 0. ? 0 : c[1] > 0. ? 1 : 2;
-  triangulation_.for_each_outgoing(triangulation_.source(4 * f + corner),
-                                   [&](const Index h) { visit(Face(Lean_triangulation::face(h))); });
+  m_triangulation.for_each_outgoing(m_triangulation.source(4 * f + corner),
+                                    [&](const Index h) { visit(Face(Lean_triangulation::face(h))); });
 }
 
 inline Vector Surface_walker::normal_on_line(const Place& place) const
@@ -167,15 +179,15 @@ inline Vector Surface_walker::normal_on_line(const Place& place) const
 // The displacement as the change of the barycentric coordinates.
 inline std::array<double, 3> Surface_walker::velocity(const Face f, const Vector& displacement) const
 {
-  const Point& p = surface_.point(Vertex(triangulation_.source(4 * f)));
-  const Point& q = surface_.point(Vertex(triangulation_.source(4 * f + 1)));
+  const Point& p = m_surface.point(Vertex(m_triangulation.source(4 * f)));
+  const Point& q = m_surface.point(Vertex(m_triangulation.source(4 * f + 1)));
   const Vector edge = q - p;
   const double length = edge.squared_length();
   if(!(length > 0.))
     return {{0., 0., 0.}};
-  const Apex& apex = apices_[4 * f];
+  const Apex& apex = m_apices[4 * f];
   const double x = displacement * edge / length;
-  const double y = displacement * cross_product(normals_[f], edge) / length;
+  const double y = displacement * cross_product(m_normals[f], edge) / length;
   const double third = y / apex.y, second = x - third * apex.x;
   return {{-second - third, second, third}};
 }
@@ -184,7 +196,7 @@ inline std::array<double, 3> Surface_walker::velocity(const Face f, const Vector
 inline void Surface_walker::cross(const Index h, const Index o, std::array<double, 3>& at,
                                   std::array<double, 3>& by) const
 {
-  const Apex &left = apices_[h], &right = apices_[o];
+  const Apex &left = m_apices[h], &right = m_apices[o];
   const Index i = h & 3, j = o & 3;
   // The old apex in terms of the source of h, its target and the new apex: (1 - s - u, s, u). That o runs the
   // other way is why its x is taken from 1.
@@ -208,7 +220,8 @@ inline Place Surface_walker::walk(const Place& from, const Vector& displacement)
   const std::array<double, 3> end = {{at[0] + by[0], at[1] + by[1], at[2] + by[2]}};
   if(end[0] >= 0. && end[1] >= 0. && end[2] >= 0.)
     return Place{from.face, end};
-  for(std::size_t crossings = 0; crossings < maximum_number_of_crossings_; ++crossings) {
+  for(std::size_t crossings = 0; crossings < m_maximum_number_of_crossings; ++crossings)
+  {
     // Among faces without area the way can turn for ever, faster at each crossing.
     if(!(std::abs(by[0]) + std::abs(by[1]) + std::abs(by[2]) < fastest))
       break;
@@ -216,22 +229,24 @@ inline Place Surface_walker::walk(const Place& from, const Vector& displacement)
     Index exit = 3;
     double time = 1.;
     for(Index i = 0; i < 3; ++i)
-      if(by[i] < 0. && at[i] < -by[i] * time) {
+      if(by[i] < 0. && at[i] < -by[i] * time)
+      {
         time = at[i] / -by[i];
         exit = i;
       }
     const Index h = 4 * f + (exit + 1) % 3;
-    const bool is_stopped = exit != 3 && triangulation_.is_constrained(h);
+    const bool is_stopped = exit != 3 && m_triangulation.is_constrained(h);
     if(is_stopped)
       time *= .5; // not onto the line, where there is no place but for the line's own vertices
-    for(Index i = 0; i < 3; ++i) {
+    for(Index i = 0; i < 3; ++i)
+    {
       at[i] += time * by[i];
       by[i] *= 1. - time;
     }
     if(exit == 3 || is_stopped)
       break;
     at[exit] = 0.;
-    const Index o = triangulation_.opposite(h);
+    const Index o = m_triangulation.opposite(h);
     cross(h, o, at, by);
     f = Lean_triangulation::face(o);
   }

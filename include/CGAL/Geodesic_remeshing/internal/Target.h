@@ -57,7 +57,8 @@ inline std::size_t vertices_for_length(double area, double length)
 // On a surface with boundary, but for half of the vertices there: these are not known yet.
 inline std::size_t vertices_for_faces(const Mesh& surface, std::size_t faces)
 {
-  const std::ptrdiff_t vertices = static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic(surface); // V - E + F, and 3 F = 2 E
+  const std::ptrdiff_t vertices =
+      static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic(surface); // V - E + F, and 3 F = 2 E
   if(!CGAL::is_closed(surface))
     return static_cast<std::size_t>((std::max)(std::ptrdiff_t(1), vertices));
   if(vertices < 4)

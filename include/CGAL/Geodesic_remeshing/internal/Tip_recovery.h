@@ -35,34 +35,36 @@ public:
   using Index = Lean_triangulation::Index;
 
   explicit Tip_recovery(Remeshed_surface& remeshed)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), input_(remeshed.walker().triangulation()) {}
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_input(remeshed.walker().triangulation())
+  {}
 
   // `nearest` tells the nearest vertices as they are before the first is sent. Returns the number of vertices sent.
   std::size_t run(const Nearest_vertices& nearest, double tolerance);
 
 private:
-  const Point& input_point(const Index x) const { return remeshed_.walker().surface().point(Vertex(x)); }
+  const Point& input_point(const Index x) const { return m_remeshed.walker().surface().point(Vertex(x)); }
   double distance_to_ring(const Index x, const Index v, const double limit) const
   {
-    return squared_distance_to_ring(remeshed_, input_point(x), v, limit);
+    return squared_distance_to_ring(m_remeshed, input_point(x), v, limit);
   }
   bool is_tip(Index x) const;
   bool send_one_of(Index v, Index x);
   bool send(Index v, Index x);
 
-  Remeshed_surface& remeshed_;
-  Lean_triangulation& table_;
-  const Lean_triangulation& input_;
-  std::vector<double> squared_distance_;   // of each input vertex from its nearest vertex; then from the triangles around that
+  Remeshed_surface& m_remeshed;
+  Lean_triangulation& m_table;
+  const Lean_triangulation& m_input;
+  std::vector<double>
+      m_squared_distance; // of each input vertex from its nearest vertex; then from the triangles around that
 };
 
 // Farther than all neighbours; the index decides among equals. What is on a line is left to the vertices of the line.
 inline bool Tip_recovery::is_tip(const Index x) const
 {
-  bool is_farthest = !input_.is_on_line(x);
-  input_.for_each_neighbor(x, [&](const Index y) {
-    is_farthest = is_farthest && (squared_distance_[y] < squared_distance_[x] ||
-                                  (!(squared_distance_[x] < squared_distance_[y]) && x < y));
+  bool is_farthest = !m_input.is_on_line(x);
+  m_input.for_each_neighbor(x, [&](const Index y) {
+    is_farthest = is_farthest && (m_squared_distance[y] < m_squared_distance[x] ||
+                                  (!(m_squared_distance[x] < m_squared_distance[y]) && x < y));
   });
   return is_farthest;
 }
@@ -71,13 +73,14 @@ inline bool Tip_recovery::is_tip(const Index x) const
 // measured to keep no more tips, and to leave more intersections at small numbers of vertices.
 inline bool Tip_recovery::send_one_of(const Index v, const Index x)
 {
-  if(remeshed_.can_be_sent(v) && send(v, x))
+  if(m_remeshed.can_be_sent(v) && send(v, x))
     return true;
   Index best = Lean_triangulation::none;
   double least = infinity;
-  table_.for_each_neighbor(v, [&](const Index w) {
-    const double distance = CGAL::squared_distance(input_point(x), remeshed_.spot(w).point);
-    if(remeshed_.can_be_sent(w) && distance < least) {
+  m_table.for_each_neighbor(v, [&](const Index w) {
+    const double distance = CGAL::squared_distance(input_point(x), m_remeshed.spot(w).point);
+    if(m_remeshed.can_be_sent(w) && distance < least)
+    {
       least = distance;
       best = w;
     }
@@ -89,44 +92,45 @@ inline bool Tip_recovery::send(const Index v, const Index x)
 {
   static const double good = badness_of_angle(30.);
   std::vector<Index> around;
-  table_.for_each_neighbor(v, [&](const Index w) { around.push_back(w); });
+  m_table.for_each_neighbor(v, [&](const Index w) { around.push_back(w); });
   const auto badness = [&] {
-    double sum = remeshed_.ring_badness(v);
+    double sum = m_remeshed.ring_badness(v);
     for(const Index w : around)
-      sum = add_badness(sum, remeshed_.ring_badness(w));
+      sum = add_badness(sum, m_remeshed.ring_badness(w));
     return sum;
   };
   const double before = badness();
-  remeshed_.record();
-  remeshed_.put(v, remeshed_.spot_at_vertex(x));
-  Polish polish(remeshed_);
+  m_remeshed.record();
+  m_remeshed.put(v, m_remeshed.spot_at_vertex(x));
+  Polish polish(m_remeshed);
   for(int round = 0; round < 2; ++round)
     for(const Index w : around)
       polish.better_vertex(w);
   // A tip is thin: the way to it may lead through its other side.
-  const bool is_good = badness() <= (std::max)(before, good) && !has_intersections_near(remeshed_, around);
+  const bool is_good = badness() <= (std::max)(before, good) && !has_intersections_near(m_remeshed, around);
   if(is_good)
-    remeshed_.pin_tip(v);
+    m_remeshed.pin_tip(v);
   else
-    remeshed_.undo_to({0, 0});
-  remeshed_.forget();
+    m_remeshed.undo_to({0, 0});
+  m_remeshed.forget();
   return is_good;
 }
 
 inline std::size_t Tip_recovery::run(const Nearest_vertices& nearest, const double tolerance)
 {
-  const auto limit = [&](const Index x) { return CGAL::square(tolerance * remeshed_.metric().size(Vertex(x))); };
-  squared_distance_ = nearest.squared_distance;
-  for(Index x = 0; x < input_.vertex_slots(); ++x)
-    if(nearest.vertex[x] != Lean_triangulation::none && squared_distance_[x] > limit(x))
-      squared_distance_[x] = (std::min)(squared_distance_[x], distance_to_ring(x, nearest.vertex[x], limit(x)));
+  const auto limit = [&](const Index x) { return CGAL::square(tolerance * m_remeshed.metric().size(Vertex(x))); };
+  m_squared_distance = nearest.squared_distance;
+  for(Index x = 0; x < m_input.vertex_slots(); ++x)
+    if(nearest.vertex[x] != Lean_triangulation::none && m_squared_distance[x] > limit(x))
+      m_squared_distance[x] = (std::min)(m_squared_distance[x], distance_to_ring(x, nearest.vertex[x], limit(x)));
   std::size_t sent = 0;
-  for(Index x = 0; x < input_.vertex_slots(); ++x) {
-    if(nearest.vertex[x] == Lean_triangulation::none || !(squared_distance_[x] > limit(x)) || !is_tip(x))
+  for(Index x = 0; x < m_input.vertex_slots(); ++x)
+  {
+    if(nearest.vertex[x] == Lean_triangulation::none || !(m_squared_distance[x] > limit(x)) || !is_tip(x))
       continue;
     // The nearest vertex need not be one of the nearest triangle.
-    double distance = squared_distance_[x];
-    table_.for_each_neighbor(nearest.vertex[x], [&](const Index w) {
+    double distance = m_squared_distance[x];
+    m_table.for_each_neighbor(nearest.vertex[x], [&](const Index w) {
       if(distance > limit(x))
         distance = (std::min)(distance, distance_to_ring(x, w, limit(x)));
     });

@@ -64,8 +64,7 @@ public:
   {
     using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto relax = [&](Vertex from, Vertex to, double length)
-    {
+    const auto relax = [&](Vertex from, Vertex to, double length) {
       if(m_order.rank[to] <= m_order.rank[saddle] || m_length[to] <= length)
         return;
       for(const auto& way : other_ways)

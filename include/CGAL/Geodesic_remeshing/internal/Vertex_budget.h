@@ -84,7 +84,9 @@ public:
 
 private:
   std::size_t intervals(std::size_t i, double spacing) const
-  { return number_of_intervals(m_pieces[i], m_length[i], spacing, m_fewest[i]); }
+  {
+    return number_of_intervals(m_pieces[i], m_length[i], spacing, m_fewest[i]);
+  }
 
   const std::vector<Line_piece>& m_pieces;
   const std::vector<int> m_fewest;
@@ -104,11 +106,10 @@ struct Vertex_budget
 
 inline void check_number_of_vertices(std::size_t number, std::size_t topology, std::size_t lines)
 {
-  const auto reject_number = [&](std::size_t needed, const std::string& what)
-  {
+  const auto reject_number = [&](std::size_t needed, const std::string& what) {
     if(number < needed)
-      throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: " + what + " "
-                            + std::to_string(needed));
+      throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: " + what + " " +
+                            std::to_string(needed));
   };
   reject_number(lines, "the corners and lines of the input need");
   reject_number(topology, "the topology of the input needs");
@@ -122,7 +123,7 @@ inline std::size_t number_if_even(const std::vector<Extent>& extents, const Line
   for(int i = 0; i < 3; ++i)
   {
     const double edge_length =
-      edge_length_for(extents, even, [](const Extent& e, double length) { return e.wanted(length); });
+        edge_length_for(extents, even, [](const Extent& e, double length) { return e.wanted(length); });
     even = static_cast<std::size_t>((std::max)(.25 * most, most - lines.surplus(edge_length)));
   }
   return (std::max)(even, std::size_t(4));
@@ -143,8 +144,10 @@ Vertex_budget make_budget(const Target& target, const Working_surface& working, 
       e.corners = 0; // they are what `Line_budget::surplus()` counts
   double spacing = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), number);
   if constexpr(std::is_same<Target, Edge_length>::value)
-    number = (std::max)(fewest, static_cast<std::size_t>(std::llround((std::max)(0., lines.surplus(spacing)
-      + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })))));
+    number = (std::max)(
+        fewest,
+        static_cast<std::size_t>(std::llround((std::max)(
+            0., lines.surplus(spacing) + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })))));
   else if constexpr(std::is_same<Target, Number_of_faces>::value)
     number += (target.value + lines.edges_on_boundary(spacing)) / 2 - target.value / 2; // F = 2 V - 2 chi - B
   check_number_of_vertices(number, fewest, lines.fewest());

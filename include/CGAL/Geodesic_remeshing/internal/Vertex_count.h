@@ -34,8 +34,9 @@ public:
 
   // No change leaves an angle smaller than `least_angle`, unless nothing else is left: then it may be 10.
   Vertex_count(Remeshed_surface& remeshed, const double edge_length, const double least_angle = 10.)
-    : remeshed_(remeshed), table_(remeshed.connectivity()), squared_edge_length_(edge_length * edge_length)
-    , least_angle_(least_angle) {}
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_squared_edge_length(edge_length * edge_length),
+      m_least_angle(least_angle)
+  {}
 
   // Returns whether the number was reached.
   bool reach(std::size_t number_of_vertices);
@@ -46,7 +47,8 @@ private:
   // The collapse of h, or, where `other` is given, the split of the source of both between them, or that of h itself.
   struct Change
   {
-    double cost; Index h, other;
+    double cost;
+    Index h, other;
     bool operator<(const Change& c) const { return std::tie(cost, h, other) < std::tie(c.cost, c.h, c.other); }
   };
 
@@ -65,36 +67,38 @@ private:
   std::array<Index, 4> corners(Index h) const;
   bool is_touched(const Change& change) const;
 
-  Remeshed_surface& remeshed_;
-  Lean_triangulation& table_;
-  double squared_edge_length_;
-  double least_angle_;                  // that a change may leave
-  double least_angle_on_lines_ = 30.;   // that a collapse along a line may leave; lowered only if nothing else is left
-  std::vector<Change> changes_;
-  std::vector<char> touched_;     // vertices whose valence or place has changed since the costs were found
+  Remeshed_surface& m_remeshed;
+  Lean_triangulation& m_table;
+  double m_squared_edge_length;
+  double m_least_angle;                // that a change may leave
+  double m_least_angle_on_lines = 30.; // that a collapse along a line may leave; lowered only if nothing else is left
+  std::vector<Change> m_changes;
+  std::vector<char> m_touched; // vertices whose valence or place has changed since the costs were found
 };
 
 inline bool Vertex_count::reach(const std::size_t number_of_vertices)
 {
-  while(table_.number_of_vertices() != number_of_vertices) {
-    const std::size_t n = table_.number_of_vertices();
+  while(m_table.number_of_vertices() != number_of_vertices)
+  {
+    const std::size_t n = m_table.number_of_vertices();
     const std::size_t number = n < number_of_vertices ? number_of_vertices - n : n - number_of_vertices;
-    changes_.clear();
-    if(n < number_of_vertices) {
-      remeshed_.reserve_free(static_cast<Index>(number));
+    m_changes.clear();
+    if(n < number_of_vertices)
+    {
+      m_remeshed.reserve_free(static_cast<Index>(number));
       find_splits();
       find_edge_splits();
     }
     else
       find_collapses();
-    touched_.assign(table_.vertex_slots(), false);
+    m_touched.assign(m_table.vertex_slots(), false);
     keep_cheapest(number);
     if(apply(number) > 0)
       continue;
-    if(least_angle_ > 10.)
-      least_angle_ -= 10.;
-    else if(least_angle_on_lines_ > 10.)
-      least_angle_on_lines_ -= 10.;
+    if(m_least_angle > 10.)
+      m_least_angle -= 10.;
+    else if(m_least_angle_on_lines > 10.)
+      m_least_angle_on_lines -= 10.;
     else
       return false;
   }
@@ -103,8 +107,9 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
 
 inline bool Vertex_count::reach_at_any_cost(const std::size_t number_of_vertices)
 {
-  for(const double angle : {10., 5., 2., 1.}) {
-    least_angle_ = angle;
+  for(const double angle : {10., 5., 2., 1.})
+  {
+    m_least_angle = angle;
     if(reach(number_of_vertices))
       return true;
   }
@@ -114,8 +119,8 @@ inline bool Vertex_count::reach_at_any_cost(const std::size_t number_of_vertices
 // The length of an edge weighs as much as one step of the energy (2) when it is off by the whole edge length.
 inline double Vertex_count::size_cost(const Index v, const Index w) const
 {
-  const Remeshed_surface::Spot &a = remeshed_.spot(v), &b = remeshed_.spot(w);
-  return 2. * squared_distance(a.point, b.point) / (squared_edge_length_ * CGAL::square(.5 * (a.size + b.size)));
+  const Remeshed_surface::Spot &a = m_remeshed.spot(v), &b = m_remeshed.spot(w);
+  return 2. * squared_distance(a.point, b.point) / (m_squared_edge_length * CGAL::square(.5 * (a.size + b.size)));
 }
 
 // Of an edge between lines: what is added to the cost of its collapse, which leaves a longer edge on the line.
@@ -123,28 +128,29 @@ inline double Vertex_count::cost_of_lines(const Index h) const
 {
   constexpr double last_resort = 1000., longest = 2. * 1.3 * 1.3;
   double length = 0.;
-  remeshed_.for_each_neighbor_on_line(table_.target(h), [&](const Index w) {
-    length = (std::max)(length, size_cost(table_.source(h), w));
-  });
+  m_remeshed.for_each_neighbor_on_line(
+      m_table.target(h), [&](const Index w) { length = (std::max)(length, size_cost(m_table.source(h), w)); });
   return length > longest ? last_resort : 0.;
 }
 
 // Of the two faces of an edge; at the boundary, where there is one, the source takes the place of the fourth.
 inline std::array<Vertex_count::Index, 4> Vertex_count::corners(const Index h) const
 {
-  const Index o = table_.opposite(h), a = table_.source(h);
-  return {{a, table_.target(h), table_.apex(h), o == Lean_triangulation::none ? a : table_.apex(o)}};
+  const Index o = m_table.opposite(h), a = m_table.source(h);
+  return {{a, m_table.target(h), m_table.apex(h), o == Lean_triangulation::none ? a : m_table.apex(o)}};
 }
 
 inline void Vertex_count::find_collapses()
 {
-  for(Index f = 0; f < table_.face_slots(); ++f) {
-    for(Index h = 4 * f; h < 4 * f + 3 && !table_.is_removed_face(f); ++h) {
-      const Index v = table_.source(h), w = table_.target(h);
-      const bool is_line = table_.is_constrained(h);
-      if(is_line ? !remeshed_.is_fixed(w) : remeshed_.is_free(w))
-        changes_.push_back({remeshed_.energy().of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.), h,
-                            Lean_triangulation::none});
+  for(Index f = 0; f < m_table.face_slots(); ++f)
+  {
+    for(Index h = 4 * f; h < 4 * f + 3 && !m_table.is_removed_face(f); ++h)
+    {
+      const Index v = m_table.source(h), w = m_table.target(h);
+      const bool is_line = m_table.is_constrained(h);
+      if(is_line ? !m_remeshed.is_fixed(w) : m_remeshed.is_free(w))
+        m_changes.push_back({m_remeshed.energy().of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.),
+                             h, Lean_triangulation::none});
     }
   }
 }
@@ -152,96 +158,100 @@ inline void Vertex_count::find_collapses()
 // Of each vertex the cheapest split into halves.
 inline void Vertex_count::find_splits()
 {
-  for(Index v = 0; v < table_.vertex_slots(); ++v) {
-    if(table_.is_removed(v) || remeshed_.is_on_line(v))
+  for(Index v = 0; v < m_table.vertex_slots(); ++v)
+  {
+    if(m_table.is_removed(v) || m_remeshed.is_on_line(v))
       continue;
-    const int valence = static_cast<int>(table_.valence(v)), half = valence / 2;
+    const int valence = static_cast<int>(m_table.valence(v)), half = valence / 2;
     Change best{infinity, Lean_triangulation::none, Lean_triangulation::none};
     double size = 0.;
-    Index across = table_.halfedge(v);
+    Index across = m_table.halfedge(v);
     for(int i = 0; i < half; ++i)
-      across = table_.rotate(across);
-    table_.for_each_outgoing(v, [&](const Index h) {
-      const double cost = 2. * (remeshed_.energy().excess_at(Lean_triangulation::next(h)) +
-                                remeshed_.energy().excess_at(Lean_triangulation::next(across)));
+      across = m_table.rotate(across);
+    m_table.for_each_outgoing(v, [&](const Index h) {
+      const double cost = 2. * (m_remeshed.energy().excess_at(Lean_triangulation::next(h)) +
+                                m_remeshed.energy().excess_at(Lean_triangulation::next(across)));
       best = (std::min)(best, Change{cost, h, across});
-      size += size_cost(v, table_.target(h));
-      across = table_.rotate(across);
+      size += size_cost(v, m_table.target(h));
+      across = m_table.rotate(across);
     });
     const int one = half + 2 - 6, two = valence - half + 2 - 6, excess = valence - 6;
     best.cost += one * one + two * two - excess * excess + 2 - size / valence;
-    changes_.push_back(best);
+    m_changes.push_back(best);
   }
 }
 
 inline void Vertex_count::find_edge_splits()
 {
   constexpr double last_resort = 1000., shortest = 2. * 1.5 * 1.5;
-  for(Index h = 0; h < 4 * table_.face_slots(); ++h) {
-    if((h & 3) == 3 || table_.is_removed_face(Lean_triangulation::face(h)) || table_.opposite(h) < h)
+  for(Index h = 0; h < 4 * m_table.face_slots(); ++h)
+  {
+    if((h & 3) == 3 || m_table.is_removed_face(Lean_triangulation::face(h)) || m_table.opposite(h) < h)
       continue;
-    const Index v = table_.source(h), w = table_.target(h);
-    if(!remeshed_.is_on_line(v) || !remeshed_.is_on_line(w)
-       || (remeshed_.keeps_lines() && table_.is_constrained(h)))
+    const Index v = m_table.source(h), w = m_table.target(h);
+    if(!m_remeshed.is_on_line(v) || !m_remeshed.is_on_line(w) ||
+       (m_remeshed.keeps_lines() && m_table.is_constrained(h)))
       continue;
-    const double size = size_cost(v, w), last = table_.is_constrained(h) ? last_resort : .5 * last_resort;
-    changes_.push_back({remeshed_.energy().of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});
+    const double size = size_cost(v, w), last = m_table.is_constrained(h) ? last_resort : .5 * last_resort;
+    m_changes.push_back({m_remeshed.energy().of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});
   }
 }
 
 // Neighbours of a change made have to wait for the next pass; so some more than wanted are looked at.
 inline void Vertex_count::keep_cheapest(const std::size_t number)
 {
-  const std::size_t kept = (std::min)(changes_.size(), 8 * number + 16);
-  std::nth_element(changes_.begin(), changes_.begin() + kept, changes_.end());
-  changes_.resize(kept);
-  std::sort(changes_.begin(), changes_.end());
+  const std::size_t kept = (std::min)(m_changes.size(), 8 * number + 16);
+  std::nth_element(m_changes.begin(), m_changes.begin() + kept, m_changes.end());
+  m_changes.resize(kept);
+  std::sort(m_changes.begin(), m_changes.end());
 }
 
 inline bool Vertex_count::is_touched(const Change& change) const
 {
-  if(table_.is_removed_face(table_.face(change.h)))
+  if(m_table.is_removed_face(m_table.face(change.h)))
     return true;
   if(change.other != Lean_triangulation::none && change.other != change.h)
-    return touched_[table_.source(change.h)] || touched_[table_.target(change.h)] ||
-           touched_[table_.target(change.other)];
+    return m_touched[m_table.source(change.h)] || m_touched[m_table.target(change.h)] ||
+           m_touched[m_table.target(change.other)];
   const std::array<Index, 4> around = corners(change.h);
-  return std::any_of(around.begin(), around.end(), [&](const Index v) { return touched_[v]; });
+  return std::any_of(around.begin(), around.end(), [&](const Index v) { return m_touched[v]; });
 }
 
 inline std::size_t Vertex_count::apply(const std::size_t number)
 {
   std::size_t made = 0;
-  for(const Change& change : changes_) {
+  for(const Change& change : m_changes)
+  {
     if(made == number)
       break;
     if(is_touched(change))
       continue;
-    remeshed_.record();
-    const auto start = remeshed_.mark();
+    m_remeshed.record();
+    const auto start = m_remeshed.mark();
     if(change.other == Lean_triangulation::none ? collapse(change.h)
-       : change.other == change.h ? split_edge(change.h) : split(change.h, change.other))
+       : change.other == change.h               ? split_edge(change.h)
+                                                : split(change.h, change.other))
       ++made;
     else
-      remeshed_.undo_to(start);
-    remeshed_.forget();
+      m_remeshed.undo_to(start);
+    m_remeshed.forget();
   }
   return made;
 }
 
 inline bool Vertex_count::collapse(const Index h)
 {
-  if(!table_.is_collapse_legal(h))
+  if(!m_table.is_collapse_legal(h))
     return false;
   const std::array<Index, 4> around = corners(h);
   const Index a = around[0], b = around[1];
-  const Vector way = remeshed_.spot(b).point - remeshed_.spot(a).point;
-  const bool are_alike = remeshed_.is_on_line(a) == remeshed_.is_on_line(b);
-  const bool is_line = table_.is_constrained(h);
+  const Vector way = m_remeshed.spot(b).point - m_remeshed.spot(a).point;
+  const bool are_alike = m_remeshed.is_on_line(a) == m_remeshed.is_on_line(b);
+  const bool is_line = m_table.is_constrained(h);
   const double before = worst_around(around);
-  table_.collapse(h);
-  if(!remeshed_.is_fixed(a) && are_alike)
-    remeshed_.put(a, remeshed_.spot_after(a, .5 * way));
+  m_table.collapse(h);
+  if(!m_remeshed.is_fixed(a) && are_alike)
+    m_remeshed.put(a, m_remeshed.spot_after(a, .5 * way));
   return settle({{a, a, around[2], around[3]}}, before, is_line);
 }
 
@@ -250,25 +260,25 @@ inline bool Vertex_count::split_edge(const Index h)
 {
   const std::array<Index, 4> around = corners(h);
   Remeshed_surface::Spot middle;
-  if(!remeshed_.find_middle(h, middle))
+  if(!m_remeshed.find_middle(h, middle))
     return false;
   const double before = worst_around(around);
-  const Index w = table_.split_edge(h);
-  remeshed_.put(w, middle);
-  touched_[around[0]] = touched_[around[1]] = true;
+  const Index w = m_table.split_edge(h);
+  m_remeshed.put(w, middle);
+  m_touched[around[0]] = m_touched[around[1]] = true;
   return settle({{w, w, around[2], around[3]}}, before);
 }
 
 // The vertex and the new one part along the line between their halves of the ring.
 inline bool Vertex_count::split(const Index h, const Index other)
 {
-  const Index v = table_.source(h), c = table_.target(h), d = table_.target(other);
+  const Index v = m_table.source(h), c = m_table.target(h), d = m_table.target(other);
   const double before = worst_around({{v, v, c, d}});
-  const Index w = table_.split(h, other);
-  remeshed_.put(w, remeshed_.spot(v));
-  remeshed_.put(w, remeshed_.spot_after(w, .5 * remeshed_.way_to_center_of_neighbors(w)));
-  if(!remeshed_.is_fixed(v))
-    remeshed_.put(v, remeshed_.spot_after(v, .5 * remeshed_.way_to_center_of_neighbors(v)));
+  const Index w = m_table.split(h, other);
+  m_remeshed.put(w, m_remeshed.spot(v));
+  m_remeshed.put(w, m_remeshed.spot_after(w, .5 * m_remeshed.way_to_center_of_neighbors(w)));
+  if(!m_remeshed.is_fixed(v))
+    m_remeshed.put(v, m_remeshed.spot_after(v, .5 * m_remeshed.way_to_center_of_neighbors(v)));
   return settle({{v, w, c, d}}, before);
 }
 
@@ -276,7 +286,7 @@ inline double Vertex_count::worst_around(const std::array<Index, 4>& vertices) c
 {
   double worst = 0.;
   for(const Index v : vertices)
-    worst = (std::max)(worst, remeshed_.ring_badness(v));
+    worst = (std::max)(worst, m_remeshed.ring_badness(v));
   return worst;
 }
 
@@ -285,16 +295,17 @@ inline double Vertex_count::worst_around(const std::array<Index, 4>& vertices) c
 // between lines nearer to each other than the edges are long, nothing is lost.
 inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const double before, const bool is_line)
 {
-  const double angle = is_line ? (std::min)(least_angle_on_lines_, least_angle_on_lines_ - 10. + least_angle_) : least_angle_;
+  const double angle =
+      is_line ? (std::min)(m_least_angle_on_lines, m_least_angle_on_lines - 10. + m_least_angle) : m_least_angle;
   const double mendable = is_line ? badness_of_angle(angle) : (std::max)(badness_of_angle(angle), before);
   for(int round = 0; round < 2; ++round)
     for(const Index v : changed)
-      if(!remeshed_.is_fixed(v))
-        relax_vertex(remeshed_, v);
+      if(!m_remeshed.is_fixed(v))
+        relax_vertex(m_remeshed, v);
   if(worst_around(changed) > mendable)
     return false;
   for(const Index v : changed)
-    touched_[v] = true;
+    m_touched[v] = true;
   return true;
 }
 

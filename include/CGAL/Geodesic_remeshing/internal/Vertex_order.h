@@ -80,8 +80,8 @@ inline Vertex_order order_vertices(const Mesh& mesh, const std::vector<double>& 
   Vertex_order order;
   order.ascending = vertices;
   order.rank.assign(mesh.number_of_vertices(), Vertex_order::none);
-  std::sort(order.ascending.begin(), order.ascending.end(), [&](Vertex a, Vertex b)
-            { return distance[a] < distance[b] || (!(distance[b] < distance[a]) && a < b); });
+  std::sort(order.ascending.begin(), order.ascending.end(),
+            [&](Vertex a, Vertex b) { return distance[a] < distance[b] || (!(distance[b] < distance[a]) && a < b); });
   for(std::size_t i = 0; i < order.ascending.size(); ++i)
     order.rank[order.ascending[i]] = static_cast<std::uint32_t>(i);
   std::size_t minima = 0;

@@ -43,7 +43,8 @@ struct Shape
 
   std::ptrdiff_t twice_genus() const
   {
-    return 2 * static_cast<std::ptrdiff_t>(components) - static_cast<std::ptrdiff_t>(boundary_loops) - euler_characteristic;
+    return 2 * static_cast<std::ptrdiff_t>(components) - static_cast<std::ptrdiff_t>(boundary_loops) -
+           euler_characteristic;
   }
 };
 
@@ -52,7 +53,7 @@ inline Shape shape_of(const Mesh& mesh)
   Shape shape;
   std::vector<std::size_t> component(mesh.number_of_faces());
   shape.components = Polygon_mesh_processing::connected_components(
-    mesh, boost::make_iterator_property_map(component.begin(), CGAL::get(boost::face_index, mesh)));
+      mesh, boost::make_iterator_property_map(component.begin(), CGAL::get(boost::face_index, mesh)));
   std::vector<char> seen(mesh.number_of_halfedges(), 0);
   for(Halfedge start : mesh.halfedges())
   {
@@ -135,7 +136,8 @@ public:
     {
       const auto v = vertices_of(m_output, f);
       const Vector normal = normal_of(m_output, f);
-      bool is_flipped = is_against(normal, CGAL::centroid(m_output.point(v[0]), m_output.point(v[1]), m_output.point(v[2])));
+      bool is_flipped =
+          is_against(normal, CGAL::centroid(m_output.point(v[0]), m_output.point(v[1]), m_output.point(v[2])));
       for(Vertex w : v)
         is_flipped = is_flipped && is_against(normal, m_output.point(w));
       number += is_flipped;
@@ -177,7 +179,8 @@ private:
     double longest = 0.;
     for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
       longest = (std::max)(longest, CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-    return !(normal_of(mesh, f).squared_length() > 1e-20 * longest * longest); // its height is 1e-10 of its longest edge
+    return !(normal_of(mesh, f).squared_length() >
+             1e-20 * longest * longest); // its height is 1e-10 of its longest edge
   }
 
   static Vector normal_of(const Mesh& mesh, Face f)
@@ -188,7 +191,8 @@ private:
 
   bool is_against(const Vector& normal, const Point& p) const
   {
-    return !m_input_faces.empty() && normal * normal_of(m_input, m_input_faces.closest_point_and_primitive(p).second) < 0.;
+    return !m_input_faces.empty() &&
+           normal * normal_of(m_input, m_input_faces.closest_point_and_primitive(p).second) < 0.;
   }
 
   double relative(double distance) const { return m_diagonal > 0. ? distance / m_diagonal : distance; }

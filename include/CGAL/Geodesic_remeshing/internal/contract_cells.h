@@ -38,7 +38,8 @@ public:
   {}
 
   Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples, Line_map is_line)
-    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0), m_mark(mesh.number_of_vertices(), none)
+    : m_mesh(mesh), m_is_line(is_line), m_is_on_line(mesh.number_of_vertices(), 0),
+      m_mark(mesh.number_of_vertices(), none)
   {
     for(Edge e : mesh.edges())
     {
@@ -64,7 +65,8 @@ public:
         before = left.size();
         left = contract(left, into_any_neighbour);
       }
-    left.erase(std::remove_if(left.begin(), left.end(), [this](Vertex v) { return contract_along_line(v); }), left.end());
+    left.erase(std::remove_if(left.begin(), left.end(), [this](Vertex v) { return contract_along_line(v); }),
+               left.end());
     return left;
   }
 
@@ -113,8 +115,8 @@ private:
       else
         common += m_mark[w] == sample.idx();
     }
-    if(!to_sample.is_valid() || common != (m_mesh.is_border(m_mesh.edge(to_sample)) ? 1 : 2) || !keeps_lines(to_sample)
-       || is_tetrahedron(to_sample))
+    if(!to_sample.is_valid() || common != (m_mesh.is_border(m_mesh.edge(to_sample)) ? 1 : 2) ||
+       !keeps_lines(to_sample) || is_tetrahedron(to_sample))
       return false;
     for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if(m_mesh.source(h) != sample)
@@ -172,8 +174,7 @@ private:
 
   bool is_tetrahedron(Halfedge h) const
   {
-    const auto valence_is_three = [this](Halfedge g)
-    {
+    const auto valence_is_three = [this](Halfedge g) {
       Halfedge around = g;
       for(int i = 0; i < 3; ++i, around = m_mesh.opposite(m_mesh.next(around)))
         if(m_mesh.is_border(around))
@@ -237,9 +238,9 @@ private:
   Mesh& m_mesh;
   Line_map m_is_line;
   std::vector<char> m_is_on_line;
-  std::vector<std::uint32_t> m_cell;  // of a vertex: its sample
-  std::vector<std::uint32_t> m_mark;  // of a vertex: the sample whose ring was marked last and holds it
-  std::vector<Vertex> m_grown;        // all vertices but the samples, cell by cell, nearest to their sample first
+  std::vector<std::uint32_t> m_cell; // of a vertex: its sample
+  std::vector<std::uint32_t> m_mark; // of a vertex: the sample whose ring was marked last and holds it
+  std::vector<Vertex> m_grown;       // all vertices but the samples, cell by cell, nearest to their sample first
 };
 
 } // namespace internal

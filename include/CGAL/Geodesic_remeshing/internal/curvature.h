@@ -82,9 +82,9 @@ inline std::vector<double> combined_curvatures(Mesh& surface, const Curvature_we
   namespace PMP = CGAL::Polygon_mesh_processing;
   auto mean = surface.add_property_map<Vertex, double>("v:mean_curvature", 0.).first;
   auto gaussian = surface.add_property_map<Vertex, double>("v:gaussian_curvature", 0.).first;
-  PMP::interpolated_corrected_curvatures(surface, CGAL::parameters::vertex_mean_curvature_map(mean)
-                                                    .vertex_Gaussian_curvature_map(gaussian)
-                                                    .ball_radius(weights.ball_radius));
+  PMP::interpolated_corrected_curvatures(
+      surface, CGAL::parameters::vertex_mean_curvature_map(mean).vertex_Gaussian_curvature_map(gaussian).ball_radius(
+                   weights.ball_radius));
   std::vector<double> result;
   result.reserve(surface.number_of_vertices());
   for(Vertex v : surface.vertices())
@@ -119,7 +119,8 @@ inline std::vector<double> lengths_by_curvature(Mesh& surface, const Curvature_w
   check_weights(weights);
   const std::vector<double> areas = vertex_areas(surface);
   std::vector<double> curvature = combined_curvatures(surface, weights);
-  if(!(weights.ball_radius > 0.)) // the estimate of single rings is noisy, and the noise of the small lengths would spread
+  if(!(weights.ball_radius >
+       0.)) // the estimate of single rings is noisy, and the noise of the small lengths would spread
     curvature = mean_of_neighbours(surface, areas, curvature);
   double sum = 0., area = 0.;
   for(Vertex v : surface.vertices())

@@ -54,7 +54,9 @@ private:
   };
 
   Vertex vertex(std::size_t crossing) const
-  { return Vertex(static_cast<Mesh::size_type>(m_mesh.number_of_vertices() + crossing)); }
+  {
+    return Vertex(static_cast<Mesh::size_type>(m_mesh.number_of_vertices() + crossing));
+  }
 
   void cut(const Face_division& d)
   {
@@ -123,7 +125,9 @@ private:
   // the polygon that is what lies from the first to the second of them, or the rest.
   void add_piece(int value, int passage, bool passage_is_inner)
   {
-    const auto is_middle = [this](Vertex v) { return v.idx() >= m_mesh.number_of_vertices() + m_curves.crossings.size(); };
+    const auto is_middle = [this](Vertex v) {
+      return v.idx() >= m_mesh.number_of_vertices() + m_curves.crossings.size();
+    };
     const auto first = std::find_if(m_polygon.begin(), m_polygon.end(), is_middle);
     const auto second = first == m_polygon.end() ? first : std::find_if(std::next(first), m_polygon.end(), is_middle);
     if(passage >= 0 || second == m_polygon.end())
@@ -188,7 +192,8 @@ inline Segmentation region_boundaries(const Segmentation& segmentation)
 }
 
 // The region of each interval of the edges
-inline std::vector<int> regions_of_intervals(const Mesh& mesh, const Segmentation& boundaries, const Level_curves& curves)
+inline std::vector<int> regions_of_intervals(const Mesh& mesh, const Segmentation& boundaries,
+                                             const Level_curves& curves)
 {
   std::vector<int> region(curves.crossings.size() + mesh.number_of_edges());
   for(Edge e : mesh.edges())

@@ -49,7 +49,8 @@ public:
       const Edge e = m_queue.back();
       m_queue.pop_back();
       m_queued[e.idx()] = 0;
-      if(m_mesh.is_border(e) || (m_has_constraints && m_is_constrained[e]) || !is_wrong(m_mesh.halfedge(e)) || !is_flippable(m_mesh.halfedge(e)))
+      if(m_mesh.is_border(e) || (m_has_constraints && m_is_constrained[e]) || !is_wrong(m_mesh.halfedge(e)) ||
+         !is_flippable(m_mesh.halfedge(e)))
         continue;
       flip(m_mesh.halfedge(e));
       ++flips;

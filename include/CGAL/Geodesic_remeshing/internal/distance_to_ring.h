@@ -22,7 +22,9 @@ namespace internal {
 inline double squared_distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c)
 {
   const Vector normal = cross_product(b - a, c - a);
-  const auto is_left = [&](const Point& from, const Point& to) { return cross_product(to - from, p - from) * normal >= 0.; };
+  const auto is_left = [&](const Point& from, const Point& to) {
+    return cross_product(to - from, p - from) * normal >= 0.;
+  };
   if(normal.squared_length() > 0. && is_left(a, b) && is_left(b, c) && is_left(c, a))
     return CGAL::square((p - a) * normal) / normal.squared_length();
   return (std::min)({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
@@ -37,9 +39,11 @@ inline double squared_distance_to_ring(const Remeshed_surface& remeshed, const P
   const Lean_triangulation::Index first = table.halfedge(v);
   Lean_triangulation::Index h = first;
   double least = infinity;
-  do {
-    least = (std::min)(least, squared_distance_to_triangle(p, remeshed.spot(v).point, remeshed.spot(table.target(h)).point,
-                                                           remeshed.spot(table.apex(h)).point));
+  do
+  {
+    least =
+        (std::min)(least, squared_distance_to_triangle(p, remeshed.spot(v).point, remeshed.spot(table.target(h)).point,
+                                                       remeshed.spot(table.apex(h)).point));
     h = table.rotate(h);
   } while(h != first && h != Lean_triangulation::none && least > limit);
   return least;

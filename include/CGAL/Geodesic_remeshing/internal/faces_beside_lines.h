@@ -68,8 +68,7 @@ public:
     const Vector way = centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])) - p;
     const Place& place = m_remeshed.place[corner];
     std::pair<Face, double> best(place.face, -2.);
-    const auto consider = [&](Face g, const Vector& into)
-    {
+    const auto consider = [&](Face g, const Vector& into) {
       const double lengths = std::sqrt(into.squared_length() * way.squared_length());
       const double cosine = lengths > 0. ? into * way / lengths : -1.;
       if(cosine > best.second)
@@ -143,8 +142,9 @@ std::vector<Face> faces_of_patches(const Mesh& surface, const Placed_mesh& remes
     }
   std::vector<Face> result;
   for(const auto& of_piece : votes)
-    result.push_back(std::max_element(of_piece.begin(), of_piece.end(), [](const auto& a, const auto& b)
-                                      { return a.second < b.second; })->first);
+    result.push_back(std::max_element(of_piece.begin(), of_piece.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->first);
   return result;
 }
 

@@ -132,15 +132,18 @@ inline std::vector<Vertex> outermost_vertices(const Mesh& mesh, const Components
   const std::size_t n = components.first_vertex.size();
   std::vector<Vector> middle(n, Vector(0., 0., 0.));
   std::vector<double> count(n, 0.), farthest(n, -1.);
-  for(const Vertex v : mesh.vertices()) {
+  for(const Vertex v : mesh.vertices())
+  {
     middle[components.component_of[v]] = middle[components.component_of[v]] + Vector(CGAL::ORIGIN, mesh.point(v));
     count[components.component_of[v]] += 1.;
   }
   std::vector<Vertex> result(n);
-  for(const Vertex v : mesh.vertices()) {
+  for(const Vertex v : mesh.vertices())
+  {
     const std::size_t c = components.component_of[v];
     const double distance = (Vector(CGAL::ORIGIN, mesh.point(v)) - middle[c] / count[c]).squared_length();
-    if(distance > farthest[c]) {
+    if(distance > farthest[c])
+    {
       farthest[c] = distance;
       result[c] = v;
     }

@@ -136,8 +136,8 @@ void mark_given_lines(const TriangleMesh& tmesh, const NamedParameters& np, cons
   {
     const auto patch = get_parameter(np, internal_np::face_patch);
     for(Edge e : mesh.edges())
-      if(!mesh.is_border(e) && get(patch, input.face_of[mesh.face(mesh.halfedge(e, 0))])
-                                 != get(patch, input.face_of[mesh.face(mesh.halfedge(e, 1))]))
+      if(!mesh.is_border(e) && get(patch, input.face_of[mesh.face(mesh.halfedge(e, 0))]) !=
+                                   get(patch, input.face_of[mesh.face(mesh.halfedge(e, 1))]))
         is_line[e.idx()] = 1;
   }
 }

@@ -40,8 +40,9 @@ public:
     m_candidates.clear();
     for(std::size_t i = m_is_ring ? 0 : 1; i + 1 < m_points.size(); ++i)
       consider(i);
-    std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b)
-              { return a.turn > b.turn || (!(b.turn > a.turn) && a.index < b.index); });
+    std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return a.turn > b.turn || (!(b.turn > a.turn) && a.index < b.index);
+    });
     std::vector<Vertex> corners;
     m_taken.clear();
     if(!m_is_ring)
@@ -80,8 +81,8 @@ private:
   void consider(std::size_t i)
   {
     const double own = turn_at(i, 0.), wide = turn_at(i, m_reach);
-    if((wide >= least && (std::max)(own, wide) >= sharp)
-       || (own >= of_polygon && is_straight_beside(i, true) && is_straight_beside(i, false)))
+    if((wide >= least && (std::max)(own, wide) >= sharp) ||
+       (own >= of_polygon && is_straight_beside(i, true) && is_straight_beside(i, false)))
       m_candidates.push_back(Candidate{wide, i});
   }
 
@@ -143,8 +144,7 @@ private:
 
   bool is_far_from_taken(double s) const
   {
-    return std::all_of(m_taken.begin(), m_taken.end(), [&](double t)
-    {
+    return std::all_of(m_taken.begin(), m_taken.end(), [&](double t) {
       const double d = std::abs(s - t);
       return !((m_is_ring ? (std::min)(d, m_position.back() - d) : d) < m_reach);
     });
@@ -199,8 +199,8 @@ inline void find_cone_tips(const Mesh& mesh, double edge_length, Constraints& co
   for(Vertex v : mesh.vertices())
     if(degree[v] == 0 && angle[v] < 1.5 * CGAL_PI)
       tips.push_back(v);
-  std::sort(tips.begin(), tips.end(), [&](Vertex v, Vertex w)
-            { return angle[v] < angle[w] || (!(angle[w] < angle[v]) && v < w); });
+  std::sort(tips.begin(), tips.end(),
+            [&](Vertex v, Vertex w) { return angle[v] < angle[w] || (!(angle[w] < angle[v]) && v < w); });
   const Metric metric(mesh);
   Point_grid taken(edge_length, tips.size());
   for(Vertex v : tips)

@@ -45,21 +45,24 @@ inline std::vector<Fit_sample> make_fit_samples(const Surface_walker& walker, co
   std::vector<Vector> normal_of_vertex(table.vertex_slots(), Vector(0., 0., 0.));
   std::vector<Lean_triangulation::Index> face_of_vertex(table.vertex_slots(), Lean_triangulation::none);
   double due = .5, u = .5, v = .5;
-  for(Lean_triangulation::Index f = 0; f < table.face_slots(); ++f) {
+  for(Lean_triangulation::Index f = 0; f < table.face_slots(); ++f)
+  {
     const auto point = [&](const Lean_triangulation::Index i) -> const Point& {
       return surface.point(Vertex(table.source(4 * f + i)));
     };
     const Vector a = point(1) - point(0), b = point(2) - point(0);
     const double area_of_face = .5 * std::sqrt(cross_product(a, b).squared_length());
     const double share = area * CGAL::square(metric.size(Place{Face(f), {{1. / 3., 1. / 3., 1. / 3.}}}));
-    for(due += area_of_face / share; due >= 1.; due -= 1.) {
+    for(due += area_of_face / share; due >= 1.; due -= 1.)
+    {
       u = std::fmod(u + golden, 1.);
       v = std::fmod(v + golden_squared, 1.);
       const bool is_beyond = u + v > 1.;
       const double s = is_beyond ? 1. - u : u, t = is_beyond ? 1. - v : v;
       samples.push_back({point(0) + s * a + t * b, walker.normal(Face(f)), f, share});
     }
-    for(Lean_triangulation::Index i = 0; i < 3; ++i) {
+    for(Lean_triangulation::Index i = 0; i < 3; ++i)
+    {
       const Lean_triangulation::Index x = table.source(4 * f + i);
       area_of_vertex[x] += area_of_face / 3.;
       normal_of_vertex[x] = normal_of_vertex[x] + area_of_face * walker.normal(Face(f));

@@ -37,7 +37,10 @@ namespace internal {
 constexpr double too_large_deviation = 6.;
 
 // How near a fitted mesh has come, in both directions
-struct Fit_result { double root_mean_square = 0., largest = 0.; };
+struct Fit_result
+{
+  double root_mean_square = 0., largest = 0.;
+};
 
 // Of the vertices that the improvement pinned only the corners may not move: tips are where there is most to fit.
 inline void pin_corners(const Mesh& surface, const Constraints& constraints, Placed_mesh& mesh)
@@ -51,8 +54,10 @@ inline void mend_fit(Remeshed_surface& remeshed)
 {
   constexpr int rounds = 3;
   const double badness = badness_of_angle(30.5);
-  for(int round = 0; round < rounds && Polish(remeshed).run(badness, false) > 0; ++round);
-  for(int round = 0; round < rounds && Intersection_repair(remeshed, badness).run() > 0; ++round);
+  for(int round = 0; round < rounds && Polish(remeshed).run(badness, false) > 0; ++round)
+    ;
+  for(int round = 0; round < rounds && Intersection_repair(remeshed, badness).run() > 0; ++round)
+    ;
 }
 
 // Where two sheets are nearer to each other than the steps are long one may pierce the other. The vertices there go back to the
@@ -63,7 +68,8 @@ inline void hold_what_intersects(Remeshed_surface& remeshed, Fit_steps& steps)
   const double limit = fit_badness();
   for(const Intersection_search::Pair& pair : Intersection_search(remeshed).run())
     for(const Lean_triangulation::Index f : {pair.first, pair.second})
-      for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h) {
+      for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h)
+      {
         const Lean_triangulation::Index v = table.source(h);
         steps.hold(v);
         if(!remeshed.is_free(v))
@@ -82,13 +88,15 @@ bool run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& reloc
   constexpr int rounds = 9, plain_rounds = 3;
   // Deviations count as large from so many times the root mean square on. The smaller, the more of the angles is spent on the largest.
   constexpr double large = 4.;
-  for(int round = 0; round < rounds; ++round) {
+  for(int round = 0; round < rounds; ++round)
+  {
     if(round >= plain_rounds)
       steps.cost().set_tolerance(large * steps.root_mean_square());
     if(round % 3 == 2)
       hold_what_intersects(remeshed, steps);
     steps.move_all();
-    if(round % 2 == 1) {
+    if(round % 2 == 1)
+    {
       steps.flip_all();
       if(round >= plain_rounds)
         relocation.run(too_large_deviation * steps.root_mean_square());
@@ -115,14 +123,17 @@ inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, c
   const double radius = .5 * edge_length;
   Point_grid grid(radius, 3 * faces.size());
   for(const Lean_triangulation::Index f : faces)
-    for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h) {
+    for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h)
+    {
       const Remeshed_surface::Spot& spot = fitted.spot(fitted.connectivity().source(h));
       grid.insert(spot.point, spot.size, f);
     }
   is_frozen.resize(start.connectivity().vertex_slots(), 0);
-  for(Lean_triangulation::Index v = 0; v < start.connectivity().vertex_slots(); ++v) {
+  for(Lean_triangulation::Index v = 0; v < start.connectivity().vertex_slots(); ++v)
+  {
     const Remeshed_surface::Spot& spot = start.spot(v);
-    grid.near(spot.point, spot.size, radius * spot.size, [&](std::uint32_t, const Point&, double) { is_frozen[v] = 1; });
+    grid.near(spot.point, spot.size, radius * spot.size,
+              [&](std::uint32_t, const Point&, double) { is_frozen[v] = 1; });
   }
 }
 
@@ -133,7 +144,7 @@ template <class Progress>
 Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, const double edge_length, Placed_mesh& out,
                        const Progress& go_on)
 {
-  constexpr double samples_per_face = 4.;        // with 6 and 10 the distances are the same within 1 percent
+  constexpr double samples_per_face = 4.; // with 6 and 10 the distances are the same within 1 percent
   constexpr int attempts = 3;
   pin_corners(surface, constraints, out);
   const Surface_walker walker(surface, constraints);
@@ -142,15 +153,15 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
   const std::vector<Fit_sample> samples = make_fit_samples(walker, start.metric(), area);
   const std::size_t intersections_at_start = intersecting_faces(start).size();
   std::vector<char> is_frozen;
-  for(int attempt = 1;; ++attempt) {
+  for(int attempt = 1;; ++attempt)
+  {
     Remeshed_surface remeshed(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
     Fit_assignment assignment(remeshed, samples, CGAL::square(.2 * edge_length));
     Fit_probes probes(remeshed, CGAL::square(.5 * edge_length));
     Fit_steps steps(remeshed, assignment, probes, edge_length, is_frozen);
     Fit_relocation relocation(remeshed, assignment, probes, steps);
-    const bool is_done = run_fit(remeshed, steps, relocation, [&](const double progress) {
-      return go_on((attempt - 1 + progress) / attempts);
-    });
+    const bool is_done = run_fit(remeshed, steps, relocation,
+                                 [&](const double progress) { return go_on((attempt - 1 + progress) / attempts); });
     mend_fit(remeshed);
     // What was mended at the cost of the distance
     assignment.search_all();
@@ -160,7 +171,8 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
     mend_fit(remeshed);
     assignment.search_all();
     const std::vector<Lean_triangulation::Index> intersections = intersecting_faces(remeshed);
-    if(!is_done || attempt == attempts || intersections.size() <= intersections_at_start) {
+    if(!is_done || attempt == attempts || intersections.size() <= intersections_at_start)
+    {
       const Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
       write_back(remeshed, out.mesh, out.place, out.pinned, out.constrained);
       return result;

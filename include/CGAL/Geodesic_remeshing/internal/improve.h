@@ -47,7 +47,8 @@ struct Improvement_parameters
 template <class Progress>
 bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
-  for(std::size_t i = 0; i < parameters.number_of_iterations; ++i) {
+  for(std::size_t i = 0; i < parameters.number_of_iterations; ++i)
+  {
     flip_to_regular_valences(remeshed);
     relax(remeshed);
     if(i == 0)
@@ -78,7 +79,8 @@ bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const std:
 {
   constexpr std::size_t sweeps = 6, last_depth = 12;
   const int least_gain = static_cast<int>(remeshed.connectivity().number_of_vertices() / 200);
-  for(std::size_t i = 0; i < sweeps; ++i) {
+  for(std::size_t i = 0; i < sweeps; ++i)
+  {
     const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
     const int gain = moves.sweep(depth);
     flip_to_regular_valences(remeshed);
@@ -104,17 +106,20 @@ inline bool is_small(const Remeshed_surface& remeshed, const std::size_t number_
 inline std::size_t search_effort(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
 {
   return is_small(remeshed, number_of_vertices)
-           ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000))) : 1;
+             ? (std::max)(std::size_t(2), 4000 / (std::max)(number_of_vertices, std::size_t(1000)))
+             : 1;
 }
 
 // Takes out or divides what flips and steps cannot mend, and puts as many vertices in or takes them out elsewhere; last, only moves and flips.
 // Returns whether anything was to be done.
 inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
-  for(int round = 0; round < 3; ++round) {
+  for(int round = 0; round < 3; ++round)
+  {
     if(Polish(remeshed).run(badness_of_angle(remeshed.has_lines() ? 30. : 32.), true) == 0)
       return round > 0;
-    Vertex_count(remeshed, parameters.edge_length, remeshed.has_lines() ? 10. : 30.).reach(parameters.number_of_vertices);
+    Vertex_count(remeshed, parameters.edge_length, remeshed.has_lines() ? 10. : 30.)
+        .reach(parameters.number_of_vertices);
     flip_to_regular_valences(remeshed);
     relax(remeshed);
   }
@@ -145,7 +150,8 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
   std::vector<Quadric> planes = recover_tips(remeshed, tolerance);
   if(mend_angles(remeshed, parameters))
     planes = quadrics(remeshed, Nearest_vertices(remeshed)); // the vertices are others now
-  if(parameters.use_defect_moves) {
+  if(parameters.use_defect_moves)
+  {
     if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), 4, planes,
                        [&](const double progress) { return go_on(.5 * progress); }))
       return false;
@@ -167,8 +173,8 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
 inline bool is_out_of_reach(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
   const std::size_t wanted = parameters.number_of_vertices;
-  return remeshed.connectivity().number_of_vertices() > wanted + wanted / 20 + 4
-         && !Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(wanted);
+  return remeshed.connectivity().number_of_vertices() > wanted + wanted / 20 + 4 &&
+         !Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(wanted);
 }
 
 template <class Progress>
@@ -176,8 +182,8 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
 {
   constexpr int polishings = 3;
   const double share = parameters.use_defect_moves ? .3 : .9;
-  if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); })
-     || is_out_of_reach(remeshed, parameters))
+  if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }) ||
+     is_out_of_reach(remeshed, parameters))
     return;
   if(!recover_tips_and_remove_defects(remeshed, parameters,
                                       [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
@@ -186,7 +192,8 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   // On a small mesh many angles are below 40 degrees, and flips for all of them would cost a third of what the searches
   // gained.
   Polish polish(remeshed, is_small(remeshed, parameters.number_of_vertices));
-  for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round);
+  for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round)
+    ;
   part_intersections(remeshed);
   Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
   go_on(1.);

@@ -44,7 +44,8 @@ public:
       const Sample& s = samples[i];
       const bool is_last_on_edge = i + 1 == samples.size() || samples[i + 1].line != s.line;
       const Vertex v = s.vertex.is_valid() ? s.vertex
-                     : s.line.is_valid()   ? insert_on_line(s, is_last_on_edge) : insert(s);
+                       : s.line.is_valid() ? insert_on_line(s, is_last_on_edge)
+                                           : insert(s);
       result.push_back(v);
       m_is_sample.resize(m_mesh.number_of_vertices(), 0);
       m_is_on_line.resize(m_mesh.number_of_vertices(), s.line.is_valid());
@@ -71,8 +72,9 @@ private:
   // target. That vertex is taken over only by the last sample on the halfedge, or the order would change.
   Vertex insert_on_line(const Sample& s, bool is_last_on_edge)
   {
-    const auto is_near = [&](Vertex v)
-    { return !m_is_sample[v] && CGAL::squared_distance(s.point, m_mesh.point(v)) <= m_squared_snap * s.size * s.size; };
+    const auto is_near = [&](Vertex v) {
+      return !m_is_sample[v] && CGAL::squared_distance(s.point, m_mesh.point(v)) <= m_squared_snap * s.size * s.size;
+    };
     if(is_near(m_mesh.source(s.line)))
       return m_mesh.source(s.line);
     if(is_last_on_edge && is_near(m_mesh.target(s.line)))
@@ -110,8 +112,10 @@ private:
     const auto v = vertices_of(m_mesh, f);
     for(int i = 0; i < 3; ++i)
       c[i] = coordinates_in(m_surface, m_working.place[v[i]], place.face);
-    const auto area = [](const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& d)
-    { return (b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]); };
+    const auto area = [](const std::array<double, 3>& a, const std::array<double, 3>& b,
+                         const std::array<double, 3>& d) {
+      return (b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]);
+    };
     const double whole = area(c[0], c[1], c[2]);
     const auto& p = place.coordinates;
     if(!(std::abs(whole) > 0.))

@@ -32,14 +32,16 @@ template <class T, class = void>
 struct is_vector : std::false_type // can be scaled and added
 {};
 template <class T>
-struct is_vector<T, std::void_t<decltype(.5 * std::declval<const T&>() + .5 * std::declval<const T&>())>> : std::true_type
+struct is_vector<T, std::void_t<decltype(.5 * std::declval<const T&>() + .5 * std::declval<const T&>())>>
+  : std::true_type
 {};
 
 template <class T, class = void>
 struct is_point : std::false_type
 {};
 template <class T>
-struct is_point<T, std::enable_if_t<is_vector<decltype(std::declval<const T&>() - CGAL::ORIGIN)>::value>> : std::true_type
+struct is_point<T, std::enable_if_t<is_vector<decltype(std::declval<const T&>() - CGAL::ORIGIN)>::value>>
+  : std::true_type
 {};
 
 template <class T>
@@ -68,7 +70,8 @@ Value interpolate(const T& a, const T& b, const T& c, const Barycentric_coordina
       result[i] = static_cast<typename Value::value_type>(at[0] * a[i] + at[1] * b[i] + at[2] * c[i]);
     return result;
   }
-  else if constexpr(std::is_floating_point<Value>::value || (!std::is_arithmetic<Value>::value && is_vector<Value>::value))
+  else if constexpr(std::is_floating_point<Value>::value ||
+                    (!std::is_arithmetic<Value>::value && is_vector<Value>::value))
     return static_cast<Value>(at[0] * a + at[1] * b + at[2] * c);
   else if constexpr(!std::is_arithmetic<Value>::value && is_point<Value>::value)
     return a + (at[1] * (b - a) + at[2] * (c - a));

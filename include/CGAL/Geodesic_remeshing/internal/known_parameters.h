@@ -35,7 +35,8 @@ struct Known_parameters
 template <class Tag, class Known>
 struct Named_parameter_of_this_function
 {
-  static_assert(Known::template contain<Tag>, "this function has no such named parameter: see its documentation for those it has");
+  static_assert(Known::template contain<Tag>,
+                "this function has no such named parameter: see its documentation for those it has");
   static constexpr bool value = true;
 };
 
@@ -61,30 +62,31 @@ constexpr void check_parameters()
 
 // Those of every mesh
 using Parameters_of_mesh =
-  Known_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
-                   internal_np::halfedge_index_t, internal_np::face_index_t>;
+    Known_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
+                     internal_np::halfedge_index_t, internal_np::face_index_t>;
 
 // Those of the remeshing, which are most, have their list here; other functions name what they have beside those of a mesh. A new
 // parameter is added where it belongs.
 using Parameters_of_remeshing =
-  Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t, internal_np::face_patch_t,
-                          internal_np::features_angle_bound_t, internal_np::sizing_field_t, internal_np::gradation_t,
-                          internal_np::minimum_length_t, internal_np::maximum_length_t, internal_np::use_segmentation_t,
-                          internal_np::number_of_iterations_t, internal_np::use_defect_moves_t, internal_np::visitor_t,
-                          internal_np::stage_results_t, internal_np::protect_constraints_t, internal_np::do_project_t>;
+    Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
+                            internal_np::face_patch_t, internal_np::features_angle_bound_t, internal_np::sizing_field_t,
+                            internal_np::gradation_t, internal_np::minimum_length_t, internal_np::maximum_length_t,
+                            internal_np::use_segmentation_t, internal_np::number_of_iterations_t,
+                            internal_np::use_defect_moves_t, internal_np::visitor_t, internal_np::stage_results_t,
+                            internal_np::protect_constraints_t, internal_np::do_project_t>;
 
 // Says of the pack of an output that this takes the input's place, so that the one pack of the user is that of both.
 struct in_place_t
 {};
 
-using Parameters_of_output =
-  Known_parameters<in_place_t, internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_location_map_t,
-                   internal_np::edge_is_constrained_t, internal_np::face_patch_t, internal_np::face_region_map_t>;
+using Parameters_of_output = Known_parameters<in_place_t, internal_np::vertex_point_t, internal_np::geom_traits_t,
+                                              internal_np::vertex_location_map_t, internal_np::edge_is_constrained_t,
+                                              internal_np::face_patch_t, internal_np::face_region_map_t>;
 
 template <class NamedParametersOut>
 using Parameters_of_input =
-  std::conditional_t<CGAL::parameters::is_default_parameter<NamedParametersOut, in_place_t>::value, Parameters_of_remeshing,
-                     Parameters_of_remeshing::And<internal_np::face_region_map_t>>;
+    std::conditional_t<CGAL::parameters::is_default_parameter<NamedParametersOut, in_place_t>::value,
+                       Parameters_of_remeshing, Parameters_of_remeshing::And<internal_np::face_region_map_t>>;
 
 } // namespace internal
 } // namespace Geodesic_remeshing

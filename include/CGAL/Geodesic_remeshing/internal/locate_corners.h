@@ -60,7 +60,8 @@ class Corner_locator
 
 public:
   template <class NamedParameters>
-  Corner_locator(const TriangleMesh& tmesh, const NamedParameters& np) : m_input(copy(tmesh, np)), m_walker(m_input->mesh, Constraints())
+  Corner_locator(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_input(copy(tmesh, np)), m_walker(m_input->mesh, Constraints())
   {
     const auto index = get_initialized_face_index_map(tmesh, np);
     m_face.resize(largest_index(faces(tmesh), index) + 1);

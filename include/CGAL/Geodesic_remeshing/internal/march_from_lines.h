@@ -35,7 +35,10 @@ inline double angle_at(const Mesh& mesh, Vertex v)
 }
 
 // Does the boundary turn at this vertex of it, by more than 30 degrees?
-inline bool turns_at(const Mesh& mesh, Vertex v) { return std::abs(CGAL_PI - angle_at(mesh, v)) > CGAL_PI / 6.; }
+inline bool turns_at(const Mesh& mesh, Vertex v)
+{
+  return std::abs(CGAL_PI - angle_at(mesh, v)) > CGAL_PI / 6.;
+}
 
 // A surface with boundary has its front start on a line of the boundary, not at a point (where the paper, section 4,
 // has a root): parallel to a straight one curves stay straight and need no irregular vertices, where circles have one

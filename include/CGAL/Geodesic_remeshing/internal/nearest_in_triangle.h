@@ -24,7 +24,7 @@ namespace internal {
 struct Nearest_in_triangle
 {
   std::array<double, 3> coordinates;
-  Vector way;                      // from the nearest point to the one asked for
+  Vector way; // from the nearest point to the one asked for
   double squared_distance;
 };
 
@@ -48,7 +48,8 @@ inline std::array<double, 3> nearest_coordinates(const Vector& ab, const Vector&
   if(vb <= 0. && d2 >= 0. && d6 <= 0.)
     return {{1. - d2 / (d2 - d6), 0., d2 / (d2 - d6)}};
   const double va = d3 * d6 - d5 * d4;
-  if(va <= 0. && d4 >= d3 && d5 >= d6) {
+  if(va <= 0. && d4 >= d3 && d5 >= d6)
+  {
     const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
     return {{0., 1. - t, t}};
   }

@@ -30,13 +30,15 @@ void open_separating_triangles(Mesh& mesh, Halfedge h, const IsLine& is_line)
   for(Halfedge g : mesh.halfedges_around_target(mesh.opposite(h)))
   {
     const Vertex x = mesh.source(g);
-    const bool is_in_face = (!mesh.is_border(h) && mesh.target(mesh.next(h)) == x)
-                         || (!mesh.is_border(mesh.opposite(h)) && mesh.target(mesh.next(mesh.opposite(h))) == x);
-    if(x != into && !is_in_face && mesh.halfedge(x, into).is_valid() && !is_line(mesh.edge(g)) && !mesh.is_border(mesh.edge(g)))
+    const bool is_in_face = (!mesh.is_border(h) && mesh.target(mesh.next(h)) == x) ||
+                            (!mesh.is_border(mesh.opposite(h)) && mesh.target(mesh.next(mesh.opposite(h))) == x);
+    if(x != into && !is_in_face && mesh.halfedge(x, into).is_valid() && !is_line(mesh.edge(g)) &&
+       !mesh.is_border(mesh.edge(g)))
       crossing.push_back(g);
   }
   for(Halfedge g : crossing)
-    if(mesh.degree(v) > 3 && !mesh.halfedge(mesh.target(mesh.next(g)), mesh.target(mesh.next(mesh.opposite(g)))).is_valid())
+    if(mesh.degree(v) > 3 &&
+       !mesh.halfedge(mesh.target(mesh.next(g)), mesh.target(mesh.next(mesh.opposite(g)))).is_valid())
       Euler::flip_edge(g, mesh);
 }
 

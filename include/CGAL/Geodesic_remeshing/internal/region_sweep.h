@@ -192,8 +192,9 @@ private:
     }
     const std::vector<int> opened = builder.meet(saddle, arcs, regions);
     auto& open = merged.open;
-    open.erase(std::remove_if(open.begin(), open.end(), [&](int r)
-               { return std::find(regions.begin(), regions.end(), r) != regions.end(); }), open.end());
+    open.erase(std::remove_if(open.begin(), open.end(),
+                              [&](int r) { return std::find(regions.begin(), regions.end(), r) != regions.end(); }),
+               open.end());
     open.insert(open.end(), opened.begin(), opened.end());
   }
 
@@ -233,8 +234,8 @@ private:
   const std::vector<double>& m_distance;
   const Vertex_order& m_order;
   const double m_noise;
-  std::vector<Vertex> m_parent;      // union-find
-  std::vector<int> m_component;      // of a representative: index into m_components
+  std::vector<Vertex> m_parent; // union-find
+  std::vector<int> m_component; // of a representative: index into m_components
   std::vector<Component> m_components;
   std::vector<std::vector<Vertex>> m_arcs;
   std::vector<Vertex> m_tips, m_lowest;

@@ -84,7 +84,9 @@ private:
   Coordinates at(Vertex v, Face input_face) const { return coordinates_in(m_surface, m_working.place[v], input_face); }
 
   static double turn(const Coordinates& a, const Coordinates& b, const Coordinates& c)
-  { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
+  {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
 
   const Mesh& m_surface;
   const Working_surface& m_working;

@@ -35,14 +35,17 @@ inline void try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index 
   double limit = tolerated_badness();
   if(remeshed.metric().is_uniform() && !remeshed.has_lines())
     way = 1.3 * way;
-  for(int trial = 0; trial < 3; ++trial, way = .4 * way) {
+  for(int trial = 0; trial < 3; ++trial, way = .4 * way)
+  {
     const Remeshed_surface::Spot spot = remeshed.spot_after(v, way);
     bool is_good = remeshed.ring_badness(v, spot, limit) <= limit;
-    if(!is_good && trial == 0) {
+    if(!is_good && trial == 0)
+    {
       limit = (std::max)(limit, remeshed.ring_badness(v));
       is_good = limit > tolerated_badness() && remeshed.ring_badness(v, spot, limit) <= limit;
     }
-    if(is_good) {
+    if(is_good)
+    {
       remeshed.put(v, spot);
       return;
     }
@@ -81,7 +84,8 @@ inline bool is_flip_better(const Remeshed_surface& remeshed, const Lean_triangul
 inline void flip_to_regular_valences(Remeshed_surface& remeshed)
 {
   Lean_triangulation& table = remeshed.connectivity();
-  for(Lean_triangulation::Index h = 0; h < 4 * table.face_slots(); ++h) {
+  for(Lean_triangulation::Index h = 0; h < 4 * table.face_slots(); ++h)
+  {
     if((h & 3) == 3 || table.is_removed_face(table.face(h)))
       continue;
     const Lean_triangulation::Index o = table.opposite(h);

@@ -87,7 +87,8 @@ template <class Graph, class = void>
 struct keeps_garbage_for_ever : std::false_type
 {};
 template <class Graph>
-struct keeps_garbage_for_ever<Graph, std::void_t<decltype(std::declval<Graph&>().garbage_collection())>> : std::true_type
+struct keeps_garbage_for_ever<Graph, std::void_t<decltype(std::declval<Graph&>().garbage_collection())>>
+  : std::true_type
 {};
 
 template <class OutputMesh>
@@ -173,7 +174,8 @@ void connect(const Mesh& mesh, const Copied_elements<OutputMesh>& copied, Output
 }
 
 template <class OutputMesh, class Map, class Geometric_traits>
-Copied_elements<OutputMesh> replace_mesh(const Mesh& mesh, OutputMesh& out, const Converting_point_map<Map, Geometric_traits>& map)
+Copied_elements<OutputMesh> replace_mesh(const Mesh& mesh, OutputMesh& out,
+                                         const Converting_point_map<Map, Geometric_traits>& map)
 {
   using Traits = boost::graph_traits<OutputMesh>;
   std::vector<std::decay_t<decltype(from_point(map.traits, Point()))>> points;

@@ -39,8 +39,8 @@ inline double spacing_for(const std::vector<double>& lengths, double edge_length
 // a few vertices in a thousand.
 inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_surface& working,
                                           const Segmentation& segmentation, const Level_curves& curves,
-                                          const Line_samples& lines,
-                                          const std::vector<Vertex>& roots, double edge_length, std::size_t number)
+                                          const Line_samples& lines, const std::vector<Vertex>& roots,
+                                          double edge_length, std::size_t number)
 {
   const std::vector<double> lengths = lengths_of_curves(working.mesh, curves);
   const double wanted = static_cast<double>(number);
@@ -50,7 +50,8 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
   for(int attempt = 0; attempt < 4; ++attempt)
   {
     const double spacing = spacing_for(lengths, edge_length, on_curves);
-    std::vector<Sample> samples = Curve_sampler(surface, working, segmentation, curves, lines, edge_length, spacing, number).run(roots);
+    std::vector<Sample> samples =
+        Curve_sampler(surface, working, segmentation, curves, lines, edge_length, spacing, number).run(roots);
     const double excess = static_cast<double>(samples.size()) - wanted;
     if(best.empty() || std::abs(excess) < std::abs(static_cast<double>(best.size()) - wanted))
       best.swap(samples);

@@ -83,8 +83,8 @@ public:
     for(Face f : m_surface.faces())
     {
       const auto v = vertices_of(m_surface, f);
-      sum += std::sqrt(CGAL::squared_area(m_surface.point(v[0]), m_surface.point(v[1]), m_surface.point(v[2])))
-           * mean_of_inverse_squares({{lengths[v[0]], lengths[v[1]], lengths[v[2]]}});
+      sum += std::sqrt(CGAL::squared_area(m_surface.point(v[0]), m_surface.point(v[1]), m_surface.point(v[2]))) *
+             mean_of_inverse_squares({{lengths[v[0]], lengths[v[1]], lengths[v[2]]}});
     }
     return 2. / std::sqrt(3.) * sum;
   }
@@ -94,10 +94,13 @@ public:
   {
     std::sort(l.begin(), l.end());
     if(l[2] < 1.5 * l[0]) // by the middles of the edges, to four digits
-      return 4. / 3. * (1. / CGAL::square(l[0] + l[1]) + 1. / CGAL::square(l[1] + l[2]) + 1. / CGAL::square(l[2] + l[0]));
+      return 4. / 3. *
+             (1. / CGAL::square(l[0] + l[1]) + 1. / CGAL::square(l[1] + l[2]) + 1. / CGAL::square(l[2] + l[0]));
     // exactly, but with a difference that cancels for nearly equal lengths: the second divided difference of -log
     // (Hermite and Genocchi)
-    const auto slope = [](double a, double b) { return b - a > 1e-9 * a ? -std::log1p((b - a) / a) / (b - a) : -1. / a; };
+    const auto slope = [](double a, double b) {
+      return b - a > 1e-9 * a ? -std::log1p((b - a) / a) / (b - a) : -1. / a;
+    };
     return 2. * (slope(l[1], l[2]) - slope(l[0], l[1])) / (l[2] - l[0]);
   }
 
@@ -106,7 +109,8 @@ private:
   {
     const Metric metric(m_surface);
     for(Edge e : m_surface.edges())
-      if(std::abs(lengths[m_surface.vertex(e, 0)] - lengths[m_surface.vertex(e, 1)]) > m_limits.gradation * metric.length(e))
+      if(std::abs(lengths[m_surface.vertex(e, 0)] - lengths[m_surface.vertex(e, 1)]) >
+         m_limits.gradation * metric.length(e))
         return true;
     return false;
   }
@@ -127,13 +131,18 @@ private:
 
   [[noreturn]] void fail(double number)
   {
-    const auto round = [](double x) { return std::to_string(static_cast<long long>(std::llround((std::min)(x, 1e18)))); };
-    const auto number_with = [&](double length)
-    { return length > 0. && length < infinity ? round(number_of_vertices(std::vector<double>(m_wishes.size(), length))) : ""; };
+    const auto round = [](double x) {
+      return std::to_string(static_cast<long long>(std::llround((std::min)(x, 1e18))));
+    };
+    const auto number_with = [&](double length) {
+      return length > 0. && length < infinity ? round(number_of_vertices(std::vector<double>(m_wishes.size(), length)))
+                                              : "";
+    };
     const std::string fewest = number_with(m_limits.maximum_length), most = number_with(m_limits.minimum_length);
-    const std::string message = round(number) + " vertices are not within the limits of the sizing: its lengths allow"
-                              + (fewest.empty() ? "" : " no fewer than about " + fewest)
-                              + (fewest.empty() || most.empty() ? "" : " and") + (most.empty() ? "" : " no more than about " + most);
+    const std::string message = round(number) + " vertices are not within the limits of the sizing: its lengths allow" +
+                                (fewest.empty() ? "" : " no fewer than about " + fewest) +
+                                (fewest.empty() || most.empty() ? "" : " and") +
+                                (most.empty() ? "" : " no more than about " + most);
     throw Remeshing_error("geodesic remeshing: " + message);
   }
 
@@ -194,7 +203,8 @@ inline double area(const Mesh& mesh, const Metric& metric, Face f)
   if(metric.is_uniform())
     return area(mesh, f);
   const auto v = vertices_of(mesh, f);
-  return area(mesh, f) * Size_field::mean_of_inverse_squares({{metric.size(v[0]), metric.size(v[1]), metric.size(v[2])}});
+  return area(mesh, f) *
+         Size_field::mean_of_inverse_squares({{metric.size(v[0]), metric.size(v[1]), metric.size(v[2])}});
 }
 
 } // namespace internal

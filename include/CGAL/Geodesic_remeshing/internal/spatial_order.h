@@ -28,7 +28,10 @@ namespace internal {
 // another order they spend most of their time waiting for memory.
 
 // More vertices than these, with what the stages know of them, fit into no cache of a core; sorting fewer gains little.
-constexpr bool is_large(std::size_t number_of_vertices) { return number_of_vertices > 32768; }
+constexpr bool is_large(std::size_t number_of_vertices)
+{
+  return number_of_vertices > 32768;
+}
 
 // Puts two zero bits before each of the lowest 21.
 inline std::uint64_t spread_bits(std::uint64_t x)
@@ -81,8 +84,9 @@ inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& orde
   copy.reserve(static_cast<Mesh::size_type>(order.size()), mesh.number_of_edges(), mesh.number_of_faces());
   for(Vertex v : order)
     number.vertex[v] = copy.add_vertex(mesh.point(v));
-  const auto copied = [&](Halfedge h)
-  { return copy.halfedge(number.edge[mesh.edge(h)], mesh.halfedge(mesh.edge(h), 0) == h ? 0 : 1); };
+  const auto copied = [&](Halfedge h) {
+    return copy.halfedge(number.edge[mesh.edge(h)], mesh.halfedge(mesh.edge(h), 0) == h ? 0 : 1);
+  };
   for(Vertex v : order)
     for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
     {

@@ -87,8 +87,8 @@ inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, con
   for(Vertex r : result.roots)
     marching.add_source(r);
   marching.march(Front_shape::circular);
-  const std::vector<Line_piece> boundary = trace_lines(mesh, [&](Edge e) { return mesh.is_border(e); },
-                                                       [&](Vertex v) { return is_corner[v] && turns_at(mesh, v); });
+  const std::vector<Line_piece> boundary = trace_lines(
+      mesh, [&](Edge e) { return mesh.is_border(e); }, [&](Vertex v) { return is_corner[v] && turns_at(mesh, v); });
   result.starts = Line_fronts(mesh, result.component_of, number, boundary).march(marching);
   return result;
 }

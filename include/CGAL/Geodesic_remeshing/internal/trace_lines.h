@@ -57,8 +57,7 @@ std::vector<Line_piece> trace_lines(const Mesh& mesh, const IsLine& is_line, con
 {
   std::vector<char> traced(mesh.number_of_edges(), 0);
   std::vector<Line_piece> pieces;
-  const auto trace = [&](Halfedge h)
-  {
+  const auto trace = [&](Halfedge h) {
     const Vertex start = mesh.source(h);
     Line_piece piece{{h}, false};
     traced[mesh.edge(h).idx()] = 1;
@@ -84,8 +83,9 @@ std::vector<Line_piece> trace_lines(const Mesh& mesh, const IsLine& is_line, con
 
 inline std::vector<Line_piece> trace_lines(const Mesh& mesh, const Constraints& constraints)
 {
-  return trace_lines(mesh, [&](Edge e) { return constraints.is_line[e.idx()] != 0; },
-                     [&](Vertex v) { return constraints.is_corner[v.idx()] != 0; });
+  return trace_lines(
+      mesh, [&](Edge e) { return constraints.is_line[e.idx()] != 0; },
+      [&](Vertex v) { return constraints.is_corner[v.idx()] != 0; });
 }
 
 // The fewest edges that can cover each piece, so that no two edges have the same ends: three for a ring or a loop at

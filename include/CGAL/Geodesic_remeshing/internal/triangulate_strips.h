@@ -46,8 +46,9 @@ struct Placed_mesh
 inline void sort_by_place(Placed_mesh& placed)
 {
   std::vector<Vertex> order(placed.mesh.vertices().begin(), placed.mesh.vertices().end());
-  std::sort(order.begin(), order.end(), [&](Vertex v, Vertex w)
-            { return std::make_pair(placed.place[v].face, v) < std::make_pair(placed.place[w].face, w); });
+  std::sort(order.begin(), order.end(), [&](Vertex v, Vertex w) {
+    return std::make_pair(placed.place[v].face, v) < std::make_pair(placed.place[w].face, w);
+  });
   const auto density = placed.mesh.property_map<Vertex, double>(Metric::property);
   Placed_mesh sorted;
   if(density.has_value())
@@ -87,8 +88,7 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
   // cache is put in that of the places on the input, which is coherent in space.
   const Mesh& dual = working.mesh;
   std::vector<Vertex> copy(dual.num_vertices());
-  const auto add = [&](Vertex v, bool is_pinned)
-  {
+  const auto add = [&](Vertex v, bool is_pinned) {
     copy[v] = result.mesh.add_vertex(dual.point(v));
     result.place[copy[v]] = working.place[v];
     result.pinned[copy[v]] = is_pinned;

@@ -61,8 +61,7 @@ inline Point point_at(const Mesh& mesh, const Place& place)
   const auto& q = mesh.point(v[1]);
   const auto& r = mesh.point(v[2]);
   const auto& c = place.coordinates;
-  return Point(c[0] * p.x() + c[1] * q.x() + c[2] * r.x(),
-               c[0] * p.y() + c[1] * q.y() + c[2] * r.y(),
+  return Point(c[0] * p.x() + c[1] * q.x() + c[2] * r.x(), c[0] * p.y() + c[1] * q.y() + c[2] * r.y(),
                c[0] * p.z() + c[1] * q.z() + c[2] * r.z());
 }
 

@@ -72,7 +72,7 @@ template <class TriangleMesh, class NamedParameters>
 auto vertex_indices_of(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type indices =
-    get_initialized_vertex_index_map(tmesh, np);
+      get_initialized_vertex_index_map(tmesh, np);
   return indices;
 }
 
@@ -112,8 +112,8 @@ struct has_at_with_mesh : std::false_type
 template <class Field, class TriangleMesh>
 struct has_at_with_mesh<Field, TriangleMesh,
                         std::void_t<decltype(std::declval<const Field&>().at(
-                          std::declval<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(),
-                          std::declval<const TriangleMesh&>()))>> : std::true_type
+                            std::declval<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(),
+                            std::declval<const TriangleMesh&>()))>> : std::true_type
 {};
 template <class Field, class Key, class = void>
 struct has_at : std::false_type
@@ -136,9 +136,10 @@ double wished_length(const Field& field, typename boost::graph_traits<TriangleMe
 
 // The lengths that the sizing field tells, up to a factor, by internal vertex; none if there is no such field.
 template <class TriangleMesh, class NamedParameters>
-std::vector<double> wished_lengths(const TriangleMesh& tmesh,
-                                   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_of,
-                                   const NamedParameters& np)
+std::vector<double>
+wished_lengths(const TriangleMesh& tmesh,
+               const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_of,
+               const NamedParameters& np)
 {
   std::vector<double> result;
   if constexpr(is_given<NamedParameters, internal_np::sizing_field_t>)
@@ -150,14 +151,16 @@ std::vector<double> wished_lengths(const TriangleMesh& tmesh,
     {
       result.push_back(wished_length(field, v, tmesh));
       if(!(result.back() > 0.) || !std::isfinite(result.back()))
-        throw std::invalid_argument("geodesic remeshing: the size of vertex " + std::to_string(get(index, v))
-                                    + " is not positive and finite");
+        throw std::invalid_argument("geodesic remeshing: the size of vertex " + std::to_string(get(index, v)) +
+                                    " is not positive and finite");
     }
   }
   else
-    static_assert(!is_given<NamedParameters, internal_np::gradation_t> && !is_given<NamedParameters, internal_np::minimum_length_t>
-                  && !is_given<NamedParameters, internal_np::maximum_length_t>,
-                  "geodesic_remeshing: gradation, minimum_length and maximum_length limit a sizing_field, and there is none");
+    static_assert(
+        !is_given<NamedParameters, internal_np::gradation_t> &&
+            !is_given<NamedParameters, internal_np::minimum_length_t> &&
+            !is_given<NamedParameters, internal_np::maximum_length_t>,
+        "geodesic_remeshing: gradation, minimum_length and maximum_length limit a sizing_field, and there is none");
   return result;
 }
 
@@ -179,8 +182,9 @@ Stage_results* stage_results_of(const NamedParameters& np)
     return nullptr;
   else
   {
-    static_assert(std::is_convertible<decltype(get_parameter_reference(np, internal_np::stage_results)), Stage_results&>::value,
-                  "geodesic_remeshing: pass the stage results by std::ref(), a copy would be lost");
+    static_assert(
+        std::is_convertible<decltype(get_parameter_reference(np, internal_np::stage_results)), Stage_results&>::value,
+        "geodesic_remeshing: pass the stage results by std::ref(), a copy would be lost");
     return &static_cast<Stage_results&>(get_parameter_reference(np, internal_np::stage_results));
   }
 }
@@ -190,15 +194,17 @@ inline void check_count(const Mesh& mesh, std::size_t wanted)
   const std::size_t number = mesh.number_of_vertices();
   if(number == wanted)
     return;
-  const std::string what = "geodesic remeshing: could not reach " + std::to_string(wanted) + " vertices, only " + std::to_string(number);
+  const std::string what =
+      "geodesic remeshing: could not reach " + std::to_string(wanted) + " vertices, only " + std::to_string(number);
   if(number > wanted) // a quarter more was seen to be enough
-    throw Remeshing_error(what + ": the handles, thin places and lines of the input need more; try " + std::to_string(number + number / 4 + 1));
+    throw Remeshing_error(what + ": the handles, thin places and lines of the input need more; try " +
+                          std::to_string(number + number / 4 + 1));
   throw Remeshing_error(what + ": no face can be divided without one of no area; try " + std::to_string(number));
 }
 
 template <class Map>
 constexpr bool is_writable =
-  std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
+    std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
 
 // A pack that has one parameter more, if the other pack has it and it can be written to
 template <class Tag, class Pack, class NamedParameters>

@@ -35,10 +35,10 @@ namespace internal {
 struct Working_surface
 {
   Mesh mesh;
-  Mesh::Property_map<Vertex, Place> place;     // of a vertex, on the input surface
-  Mesh::Property_map<Face, Face> input_face;   // the face of the input surface that a face lies in
-  Mesh::Property_map<Edge, bool> is_line;      // of an edge on a line of the input
-  Mesh::Property_map<Vertex, double> density;  // only where the input surface has one, see Metric
+  Mesh::Property_map<Vertex, Place> place;    // of a vertex, on the input surface
+  Mesh::Property_map<Face, Face> input_face;  // the face of the input surface that a face lies in
+  Mesh::Property_map<Edge, bool> is_line;     // of an edge on a line of the input
+  Mesh::Property_map<Vertex, double> density; // only where the input surface has one, see Metric
 
   // The property maps are those of this object's own mesh: moving would be fine, copying would not.
   Working_surface() = default;
@@ -83,7 +83,8 @@ inline Place place_on_input(const Mesh& surface, const Working_surface& working,
   return result;
 }
 
-inline void put_vertex(Working_surface& working, const Metric& input_metric, Vertex v, const Point& point, const Place& place)
+inline void put_vertex(Working_surface& working, const Metric& input_metric, Vertex v, const Point& point,
+                       const Place& place)
 {
   working.mesh.point(v) = point;
   working.place[v] = place;
@@ -122,8 +123,9 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
   Mesh& mesh = working.mesh;
   const Metric metric(mesh), input_metric(surface);
   using Entry = std::pair<double, Edge>;
-  const auto shorter = [](const Entry& a, const Entry& b)
-  { return a.first < b.first || (!(b.first < a.first) && b.second < a.second); };
+  const auto shorter = [](const Entry& a, const Entry& b) {
+    return a.first < b.first || (!(b.first < a.first) && b.second < a.second);
+  };
   std::vector<Entry> long_edges;
   const auto is_long = [&](Edge e) { return metric.length(e) > maximum_length && (!only_lines || working.is_line[e]); };
   for(Edge e : mesh.edges())
@@ -166,12 +168,15 @@ inline void check_thinness(const Mesh& surface, double edge_length, std::size_t 
   for(Edge e : surface.edges())
     longest = (std::max)(longest, metric.length(e) / edge_length);
   const double number = static_cast<double>(number_of_vertices);
-  constexpr double room = 2.; // the legs of a right triangle alone, with its three vertices, are longer than the edges of equilateral ones
+  constexpr double room =
+      2.; // the legs of a right triangle alone, with its three vertices, are longer than the edges of equilateral ones
   if(!(longest > room * number))
     return;
-  const double needed = longest / number * longest / (room * room); // the edge length falls as the square root of the number
-  throw Remeshing_error("geodesic remeshing: the surface is too long and thin for " + std::to_string(number_of_vertices) + " vertices: "
-                        + (needed < 1e9 ? "it takes " + std::to_string(static_cast<long long>(std::ceil(needed))) : "no number would do"));
+  const double needed =
+      longest / number * longest / (room * room); // the edge length falls as the square root of the number
+  throw Remeshing_error(
+      "geodesic remeshing: the surface is too long and thin for " + std::to_string(number_of_vertices) + " vertices: " +
+      (needed < 1e9 ? "it takes " + std::to_string(static_cast<long long>(std::ceil(needed))) : "no number would do"));
 }
 
 // On lines a third of that: distances from a line are those from its vertices.

@@ -36,12 +36,14 @@ inline void write_faces(const Lean_triangulation& table, const std::vector<Verte
     halfedge[h] = o < h ? mesh.opposite(halfedge[o]) : mesh.add_edge(vertex[table.source(h)], vertex[table.target(h)]);
     constrained[mesh.edge(halfedge[h])] = table.is_constrained(h);
   });
-  for(Index f = 0; f < table.face_slots(); ++f) {
+  for(Index f = 0; f < table.face_slots(); ++f)
+  {
     if(table.is_removed_face(f))
       continue;
     const Face face = mesh.add_face();
     mesh.set_halfedge(face, halfedge[4 * f]);
-    for(Index h = 4 * f; h < 4 * f + 3; ++h) {
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+    {
       mesh.set_face(halfedge[h], face);
       mesh.set_next(halfedge[h], halfedge[Lean_triangulation::next(h)]);
       mesh.set_halfedge(vertex[table.target(h)], halfedge[h]);
@@ -66,7 +68,8 @@ inline void write_back(const Remeshed_surface& remeshed, Mesh& mesh, Mesh::Prope
   const Lean_triangulation& table = remeshed.connectivity();
   mesh.clear_without_removing_property_maps();
   std::vector<Vertex> vertex(table.vertex_slots());
-  for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v) {
+  for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v)
+  {
     if(table.is_removed(v))
       continue;
     vertex[v] = mesh.add_vertex(remeshed.spot(v).point);

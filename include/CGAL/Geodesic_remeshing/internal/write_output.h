@@ -52,8 +52,8 @@ auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mes
   {
     const auto patch = CGAL::parameters::get_parameter(np_in, internal_np::face_patch);
     const auto patch_of = [&](Face f) { return get(patch, input.face_of[f]); };
-    const std::vector<Face> face_of_piece =
-      faces_of_patches(input.mesh, remeshed, piece, number, [&](Face f, Face g) { return patch_of(f) == patch_of(g); });
+    const std::vector<Face> face_of_piece = faces_of_patches(
+        input.mesh, remeshed, piece, number, [&](Face f, Face g) { return patch_of(f) == patch_of(g); });
     std::vector<std::decay_t<decltype(patch_of(Face()))>> result;
     for(std::size_t i : piece)
       result.push_back(patch_of(face_of_piece[i]));
@@ -73,18 +73,17 @@ void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& r
   using CGAL::parameters::get_parameter;
   constexpr bool wants_patches = is_given<NamedParametersOut, internal_np::face_patch_t>;
   constexpr bool wants_locations = is_given<NamedParametersOut, internal_np::vertex_location_map_t>;
-  const auto patches = [&]
-  {
+  const auto patches = [&] {
     if constexpr(wants_patches)
       return patches_of_faces(input, remeshed, np_in);
     else
       return 0;
   }();
-  const auto locations = [&]
-  {
+  const auto locations = [&] {
     if constexpr(wants_locations)
       return locations_of_vertices<typename boost::property_traits<
-        std::decay_t<decltype(get_parameter(np_out, internal_np::vertex_location_map))>>::value_type>(input, remeshed);
+          std::decay_t<decltype(get_parameter(np_out, internal_np::vertex_location_map))>>::value_type>(input,
+                                                                                                        remeshed);
     else
       return 0;
   }();
