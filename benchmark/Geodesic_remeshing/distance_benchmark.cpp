@@ -1,5 +1,6 @@
 // Geodesic distances from one vertex: ours, CGAL's Heat_method_3 (with intrinsic Delaunay triangulation) and CGAL's
-// exact Surface_mesh_shortest_path, the reference of the errors. User CPU seconds, the least of three runs (exact: of one).
+// exact Surface_mesh_shortest_path, the reference of the errors. User CPU seconds, the least of three runs (exact: of
+// one).
 
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 

@@ -7,8 +7,9 @@
 //
 // Author(s)     : The Geodesic_remeshing authors
 
-// Remeshes models with features or boundary, their lines kept, with geodesic_remeshing() and isotropic_remeshing(); both also with the edges of the
-// lines protected, that is left exactly as they are. The last column is how far the lines of input and output are from each other.
+// Remeshes models with features or boundary, their lines kept, with geodesic_remeshing() and isotropic_remeshing();
+// both also with the edges of the lines protected, that is left exactly as they are. The last column is how far the
+// lines of input and output are from each other.
 //
 //   line_benchmark [--repeats R] [--output PREFIX] [MODEL=N ...]
 

@@ -77,8 +77,8 @@ inline Mesh isotropic(const Mesh& input, double edge_length, unsigned int iterat
   return output;
 }
 
-// isotropic_remeshing() takes a length or a tolerance and not a count: the one for the count is searched first. The count goes
-// about with the power -1 / exponent of the value.
+// isotropic_remeshing() takes a length or a tolerance and not a count: the one for the count is searched first. The
+// count goes about with the power -1 / exponent of the value.
 template <class Remesh>
 double tuned(double value, double exponent, std::size_t number_of_vertices, const Remesh& remesh)
 {
@@ -133,8 +133,9 @@ inline Remesher geodesic_remesher_by_curvature(double contrast)
           }};
 }
 
-// The field wants limits of the lengths: a quarter and four times the length of the uniform mesh. Of the factors 2, 4 and 10 this is the one
-// whose RMS distance is within 4 % of the least on each of homer, camel, armadillo and fandisk at 5,000 vertices.
+// The field wants limits of the lengths: a quarter and four times the length of the uniform mesh. Of the factors 2, 4
+// and 10 this is the one whose RMS distance is within 4 % of the least on each of homer, camel, armadillo and fandisk
+// at 5,000 vertices.
 inline Mesh adaptive(const Mesh& input, double tolerance, double edge_length, unsigned int iterations)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

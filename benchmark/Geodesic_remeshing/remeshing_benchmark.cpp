@@ -3,10 +3,10 @@
 //
 //   remeshing_benchmark [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]
 //
-// MODEL is the name of one of CGAL's example meshes or a file, N the number of vertices. The tables go to standard output, and
-// with --output to PREFIX.csv (all), PREFIX.md (all) and PREFIX_medians.md. --meshes keeps
-// the meshes, as FOLDER/MODEL.METHOD.off.
-// Times are user CPU seconds, the smallest of R runs (3): what disturbs a run only makes it longer.
+// MODEL is the name of one of CGAL's example meshes or a file, N the number of vertices. The tables go to standard
+// output, and with --output to PREFIX.csv (all), PREFIX.md (all) and PREFIX_medians.md. --meshes keeps the meshes, as
+// FOLDER/MODEL.METHOD.off. Times are user CPU seconds, the smallest of R runs (3): what disturbs a run only makes it
+// longer.
 
 #include "comparison.h"
 

@@ -23,8 +23,8 @@
 
 namespace benchmark {
 
-// How evenly the lengths change: at each vertex the mean length of its edges; over all edges, that of the end with the longer ones
-// divided by that of the other end.
+// How evenly the lengths change: at each vertex the mean length of its edges; over all edges, that of the end with the
+// longer ones divided by that of the other end.
 struct Growth
 {
   double median = 1.;

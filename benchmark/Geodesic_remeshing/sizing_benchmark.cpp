@@ -1,10 +1,11 @@
-// Remeshes models with sizes that follow the curvature: geodesic_remeshing() without and with a Curvature_sizing_field, and CGAL's
-// isotropic_remeshing() with an Adaptive_sizing_field whose tolerance is tuned to the same number of vertices (not timed).
+// Remeshes models with sizes that follow the curvature: geodesic_remeshing() without and with a Curvature_sizing_field,
+// and CGAL's isotropic_remeshing() with an Adaptive_sizing_field whose tolerance is tuned to the same number of
+// vertices (not timed).
 //
 //   sizing_benchmark [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]
 //
-// The arguments are those of remeshing_benchmark; the table goes to standard output, and with --output to PREFIX.md. Times
-// include that for the sizing field.
+// The arguments are those of remeshing_benchmark; the table goes to standard output, and with --output to PREFIX.md.
+// Times include that for the sizing field.
 
 #include "comparison.h"
 

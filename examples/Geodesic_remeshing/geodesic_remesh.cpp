@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Geodesic_remeshing authors
 
-// Remeshes a file: see --help. The table goes to standard output, the progress and the one line about an error to standard
-// error; the exit status tells whose fault it was.
+// Remeshes a file: see --help. The table goes to standard output, the progress and the one line about an error to
+// standard error; the exit status tells whose fault it was.
 
 #include "command_line/html_report.h"
 #include "command_line/input.h"

@@ -41,19 +41,21 @@ namespace CGAL {
  * \ingroup PkgGeodesicRemeshingRef
  *
  * \brief remeshes a triangulated surface by geodesic distances on it: the output has the same topology, exactly the
- * number of vertices asked for, and well-shaped triangles of even size or of the sizes wished; all its vertices lie on the input surface,
- * unless `do_project(false)` lets them leave it to bring the mesh nearer to it.
+ * number of vertices asked for, and well-shaped triangles of even size or of the sizes wished; all its vertices lie on
+ * the input surface, unless `do_project(false)` lets them leave it to bring the mesh nearer to it.
  *
  * The algorithm is that of Sifri, Sheffer and Gotsman \cgalCite{cgal:ssg-gbsr-03}: distances from a root vertex
- * are computed by fast marching (section 3 of the paper), the surface is segmented into regions in which fronts advance without
- * meeting (section 5), equidistant curves in the regions are sampled, and the strips between them are triangulated by the
- * dual of geodesic Voronoi cells (section 6). Valences, angles and the number of vertices are then improved with the vertices
- * walking on the input surface.
+ * are computed by fast marching (section 3 of the paper), the surface is segmented into regions in which fronts advance
+ * without meeting (section 5), equidistant curves in the regions are sampled, and the strips between them are
+ * triangulated by the dual of geodesic Voronoi cells (section 6). Valences, angles and the number of vertices are then
+ * improved with the vertices walking on the input surface.
  *
- * The boundary of the surface, features, constrained edges and the borders of patches are <em>lines</em>: edges of the output cover them, with
- * vertices at even distances on them. Where they end, meet or turn sharply are <em>corners</em>, which are vertices of the output. Lines turn sharply where
- * an edge does by 60 degrees or the chords beside a vertex, half an edge length of the output long, do, and where two edges longer than one and a half meet
- * at more than 10 degrees. Curves are those of pieces between lines: their fronts start on the longest straight line around a piece.
+ * The boundary of the surface, features, constrained edges and the borders of patches are <em>lines</em>: edges of the
+ * output cover them, with vertices at even distances on them. Where they end, meet or turn sharply are
+ * <em>corners</em>, which are vertices of the output. Lines turn sharply where an edge does by 60 degrees or the chords
+ * beside a vertex, half an edge length of the output long, do, and where two edges longer than one and a half meet at
+ * more than 10 degrees. Curves are those of pieces between lines: their fronts start on the longest straight line
+ * around a piece.
  *
  * The same input gives the same output, bit by bit.
  *
@@ -63,66 +65,52 @@ namespace CGAL {
  * @tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
  * @tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * @param tmesh the input: a triangle mesh of any genus, with any number of boundary loops and connected components. Degenerate faces,
- *              duplicate points and isolated vertices are allowed; the latter are left out.
- * @param target the number of vertices; or the number of faces, `Number_of_faces{n}`; or `Edge_length{l}`, which asks for the number
- *               of vertices that equilateral triangles of that edge length would have
+ * @param tmesh the input: a triangle mesh of any genus, with any number of boundary loops and connected components.
+ * Degenerate faces, duplicate points and isolated vertices are allowed; the latter are left out.
+ * @param target the number of vertices; or the number of faces, `Number_of_faces{n}`; or `Edge_length{l}`, which asks
+ * for the number of vertices that equilateral triangles of that edge length would have
  * @param out the output, cleared before it is filled
  * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `std::size_t` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sizing_field}
- *     \cgalParamDescription{how long edges are to be at each vertex of `tmesh` (section 4 of the paper). When `target` is a number, only the
- *                           ratios of these lengths matter: all are multiplied by the factor that gives the number. With
- *                           `Edge_length{l}` edges are to be `l` times as long as the field tells; `Edge_length{1}` takes it as it is.}
- *     \cgalParamType{a class model of `GeodesicRemeshingSizingField`, such as `Geodesic_remeshing::Curvature_sizing_field`; or of
- *                    `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number as
- *                    value type; or of `PMPSizingField`, such as `Polygon_mesh_processing::Adaptive_sizing_field`}
- *     \cgalParamDefault{all edges are to be equally long}
- *     \cgalParamExtra{The field is copied; pass it by `std::cref()` if that is costly. It is asked once for each vertex that has a face.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{gradation}
- *     \cgalParamDescription{the largest growth of the length along the surface, positive: see `Geodesic_remeshing::Sizing_limits`}
- *     \cgalParamType{`double`}
- *     \cgalParamDefault{that of the field, if it has limits of its own, else that of `Geodesic_remeshing::Sizing_limits`}
- *     \cgalParamExtra{This and the two lengths below are limits on a sizing: without `sizing_field` the call does not compile.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{minimum_length}
- *     \cgalParamDescription{the smallest length that edges aim at, in the unit of the coordinates}
- *     \cgalParamType{`double`}
- *     \cgalParamDefault{that of the field, else `0`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{maximum_length}
- *     \cgalParamDescription{the largest length that edges aim at, in the unit of the coordinates}
- *     \cgalParamType{`double`}
- *     \cgalParamDefault{that of the field, else infinity}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{features_angle_bound}
- *     \cgalParamDescription{edges at which the surface turns by at least this angle, in degrees, are lines, as
- *                           `Polygon_mesh_processing::detect_sharp_edges()` finds them; but not those with an end in the surface and shorter than the
- *                           edges of the output. Then tips of cones, vertices at which more than 90 degrees are missing, are corners.}
- *     \cgalParamType{a number, positive; above 180 there are no features}
- *     \cgalParamDefault{no features}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{how long edges are to be at each vertex of `tmesh` (section 4 of the paper). When `target`
+ * is a number, only the ratios of these lengths matter: all are multiplied by the factor that gives the number. With
+ *                           `Edge_length{l}` edges are to be `l` times as long as the field tells; `Edge_length{1}`
+ * takes it as it is.} \cgalParamType{a class model of `GeodesicRemeshingSizingField`, such as
+ * `Geodesic_remeshing::Curvature_sizing_field`; or of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number as value type; or of
+ * `PMPSizingField`, such as `Polygon_mesh_processing::Adaptive_sizing_field`} \cgalParamDefault{all edges are to be
+ * equally long} \cgalParamExtra{The field is copied; pass it by `std::cref()` if that is costly. It is asked once for
+ * each vertex that has a face.} \cgalParamNEnd \cgalParamNBegin{gradation} \cgalParamDescription{the largest growth of
+ * the length along the surface, positive: see `Geodesic_remeshing::Sizing_limits`} \cgalParamType{`double`}
+ *     \cgalParamDefault{that of the field, if it has limits of its own, else that of
+ * `Geodesic_remeshing::Sizing_limits`} \cgalParamExtra{This and the two lengths below are limits on a sizing: without
+ * `sizing_field` the call does not compile.} \cgalParamNEnd \cgalParamNBegin{minimum_length} \cgalParamDescription{the
+ * smallest length that edges aim at, in the unit of the coordinates} \cgalParamType{`double`} \cgalParamDefault{that of
+ * the field, else `0`} \cgalParamNEnd \cgalParamNBegin{maximum_length} \cgalParamDescription{the largest length that
+ * edges aim at, in the unit of the coordinates} \cgalParamType{`double`} \cgalParamDefault{that of the field, else
+ * infinity} \cgalParamNEnd \cgalParamNBegin{features_angle_bound} \cgalParamDescription{edges at which the surface
+ * turns by at least this angle, in degrees, are lines, as `Polygon_mesh_processing::detect_sharp_edges()` finds them;
+ * but not those with an end in the surface and shorter than the edges of the output. Then tips of cones, vertices at
+ * which more than 90 degrees are missing, are corners.} \cgalParamType{a number, positive; above 180 there are no
+ * features} \cgalParamDefault{no features} \cgalParamNEnd \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map that tells which edges of `tmesh` are lines}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
  *                    as key type and `bool` as value type}
@@ -130,26 +118,19 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_is_constrained_map}
  *     \cgalParamDescription{a property map that tells which vertices of `tmesh` are corners}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `bool` as value type}
- *     \cgalParamDefault{none but those found}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_patch_map}
- *     \cgalParamDescription{a property map with the patch of each face of `tmesh`: edges between two patches are lines}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
- *                    as key type and a value type that can be compared for equality}
- *     \cgalParamDefault{no patches}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{protect_constraints}
- *     \cgalParamDescription{whether lines are kept exactly, with all their vertices and edges: the boundary, features, constrained edges, the borders of patches}
- *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`}
- *     \cgalParamExtra{Where edges on lines are shorter or longer than those of the output, triangles beside them cannot be well-shaped.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type} \cgalParamDefault{none
+ * but those found} \cgalParamNEnd \cgalParamNBegin{face_patch_map} \cgalParamDescription{a property map with the patch
+ * of each face of `tmesh`: edges between two patches are lines} \cgalParamType{a class model of `ReadablePropertyMap`
+ * with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a value type that can be compared for
+ * equality} \cgalParamDefault{no patches} \cgalParamNEnd \cgalParamNBegin{protect_constraints}
+ *     \cgalParamDescription{whether lines are kept exactly, with all their vertices and edges: the boundary, features,
+ * constrained edges, the borders of patches} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamExtra{Where
+ * edges on lines are shorter or longer than those of the output, triangles beside them cannot be well-shaped.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{use_segmentation}
- *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from the root alone; pieces with boundary are never segmented}
- *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`true`}
+ *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from
+ * the root alone; pieces with boundary are never segmented} \cgalParamType{`bool`} \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{the number of rounds of the improvement}
@@ -161,23 +142,18 @@ namespace CGAL {
  *     \cgalParamDescription{whether the improvement searches for sequences of flips that remove irregular vertices}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
- *     \cgalParamExtra{Without them the improvement takes about half the time, and leaves two to three times as many irregular vertices.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{do_project}
- *     \cgalParamDescription{whether the vertices lie on the input surface. With `false` they leave it so that the mesh as a whole is as near to the
- *                           surface as its number of vertices and angles of 30 degrees allow, in both directions: its largest and its RMS
- *                           distance are about a third of those of a mesh with its vertices on the surface. Those on lines stay on their lines, corners stay where
- *                           they are.}
+ *     \cgalParamExtra{Without them the improvement takes about half the time, and leaves two to three times as many
+ * irregular vertices.} \cgalParamNEnd \cgalParamNBegin{do_project} \cgalParamDescription{whether the vertices lie on
+ * the input surface. With `false` they leave it so that the mesh as a whole is as near to the surface as its number of
+ * vertices and angles of 30 degrees allow, in both directions: its largest and its RMS distance are about a third of
+ * those of a mesh with its vertices on the surface. Those on lines stay on their lines, corners stay where they are.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
- *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by `Geodesic_remeshing::Curvature_sizing_field`
- *                     as it is by default. The triangles are less even for it: its smallest angles are 51 degrees in the mean.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told the stages and the progress, and can stop the work; pass it by `std::ref()`}
- *     \cgalParamType{a class model of `GeodesicRemeshingVisitor`}
- *     \cgalParamDefault{`Geodesic_remeshing::Default_visitor`}
- *   \cgalParamNEnd
+ *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by
+ * `Geodesic_remeshing::Curvature_sizing_field` as it is by default. The triangles are less even for it: its smallest
+ * angles are 51 degrees in the mean.} \cgalParamNEnd \cgalParamNBegin{visitor} \cgalParamDescription{is told the stages
+ * and the progress, and can stop the work; pass it by `std::ref()`} \cgalParamType{a class model of
+ * `GeodesicRemeshingVisitor`} \cgalParamDefault{`Geodesic_remeshing::Default_visitor`} \cgalParamNEnd
  *   \cgalParamNBegin{stage_results}
  *     \cgalParamDescription{filled with what the stages made; pass it by `std::ref()`}
  *     \cgalParamType{`Geodesic_remeshing::Stage_results`}
@@ -195,16 +171,15 @@ namespace CGAL {
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, out)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and `Construct_point_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3` and `Construct_point_3`} \cgalParamType{a class model of `Kernel`, or any with these functors}
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map}
- *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`; with `do_project(false)` with the place that the vertex
- *                           is nearest to}
- *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
- *                    as key type and `Polygon_mesh_processing::Face_location<TriangleMesh, FT>` as value type}
- *     \cgalParamDefault{nothing is written}
+ *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`; with `do_project(false)` with the
+ * place that the vertex is nearest to} \cgalParamType{a class model of `WritablePropertyMap` with
+ * `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and
+ * `Polygon_mesh_processing::Face_location<TriangleMesh, FT>` as value type} \cgalParamDefault{nothing is written}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{filled with whether an edge of `out` lies on a line}
@@ -213,31 +188,28 @@ namespace CGAL {
  *     \cgalParamDefault{nothing is written}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
- *     \cgalParamDescription{filled with the patch of each face of `out`: that of `tmesh`, or, where `tmesh` has none, the number of the piece
- *                           between lines that the face belongs to}
- *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
- *                    as key type and a value type that the patches of `tmesh`, or numbers, convert to}
- *     \cgalParamDefault{nothing is written}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_region_map}
- *     \cgalParamDescription{filled with the region of the surface (section 5 of the paper) that each face of `out` has its centre in, from 0 to
- *                           `Summary::number_of_regions - 1`; not every region need have a face}
- *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
- *                    as key type and a value type that `int` converts to}
- *     \cgalParamDefault{nothing is written}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ *     \cgalParamDescription{filled with the patch of each face of `out`: that of `tmesh`, or, where `tmesh` has none,
+ * the number of the piece between lines that the face belongs to} \cgalParamType{a class model of `WritablePropertyMap`
+ * with `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and a value type that the patches of `tmesh`, or
+ * numbers, convert to} \cgalParamDefault{nothing is written} \cgalParamNEnd \cgalParamNBegin{face_region_map}
+ *     \cgalParamDescription{filled with the region of the surface (section 5 of the paper) that each face of `out` has
+ * its centre in, from 0 to `Summary::number_of_regions - 1`; not every region need have a face} \cgalParamType{a class
+ * model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and a value type
+ * that `int` converts to} \cgalParamDefault{nothing is written} \cgalParamNEnd \cgalNamedParamsEnd
  *
  * @return what was made, and in what time
  *
- * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a vertex where fans of faces touch or a coordinate that
- *         is not finite, if the target is not positive, if the sizing field gives a vertex a length that is not positive and finite, or if
- *         `gradation` is not positive or `minimum_length` above `maximum_length`; the message says which vertex or face
- * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more vertices, if `minimum_length` and `maximum_length`
- *         exclude the number asked for (the message says which numbers they allow), or if the visitor stops the work
+ * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a vertex where fans of faces
+ * touch or a coordinate that is not finite, if the target is not positive, if the sizing field gives a vertex a length
+ * that is not positive and finite, or if `gradation` is not positive or `minimum_length` above `maximum_length`; the
+ * message says which vertex or face
+ * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more
+ * vertices, if `minimum_length` and `maximum_length` exclude the number asked for (the message says which numbers they
+ * allow), or if the visitor stops the work
  *
- * Whatever is thrown, also by the visitor, by a map or field that is read, or because memory runs out: `out`, its property maps and those of `tmesh` are
- * left as they were, provided that writing to a map does not throw. `stage_results` then has what the stages before made.
+ * Whatever is thrown, also by the visitor, by a map or field that is read, or because memory runs out: `out`, its
+ * property maps and those of `tmesh` are left as they were, provided that writing to a map does not throw.
+ * `stage_results` then has what the stages before made.
  *
  * \cgalBigO{(n + m) log (n + m)} for an input of `n` and an output of `m` vertices.
  *
@@ -372,9 +344,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
  *
  * \brief remeshes a triangulated surface in place.
  *
- * As the other overload, with `tmesh` replaced by the result at the very end. Property maps of `tmesh` other than the points
- * are not carried over; but those given as `edge_is_constrained_map` and `face_patch_map`, if they can be written to, are filled for the
- * result as the other overload fills the ones of its output.
+ * As the other overload, with `tmesh` replaced by the result at the very end. Property maps of `tmesh` other than the
+ * points are not carried over; but those given as `edge_is_constrained_map` and `face_patch_map`, if they can be
+ * written to, are filled for the result as the other overload fills the ones of its output.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
  */

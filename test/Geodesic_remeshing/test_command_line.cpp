@@ -1,4 +1,5 @@
-// The promises of geodesic_remesh to scripts and users: exit status, one line about an error, output whole or not at all.
+// The promises of geodesic_remesh to scripts and users: exit status, one line about an error, output whole or not at
+// all.
 
 #include "command_line_support.h"
 
@@ -671,7 +672,8 @@ TEST_F(Command_line, input_without_permission)
   expect_bad_input(secret, "cannot be opened");
 }
 
-// No more than a few blocks may be written: what a full disk looks like, without one. The old file stays, and nothing beside it.
+// No more than a few blocks may be written: what a full disk looks like, without one. The old file stays, and nothing
+// beside it.
 TEST_F(Command_line, output_that_does_not_fit)
 {
   const std::string kept = (folder / "written" / "kept.off").string();

@@ -27,8 +27,9 @@
 #include <string>
 #include <vector>
 
-// Whatever is thrown, wherever: the caller's mesh and maps are as they were, and no memory is lost. Memory runs out here at every
-// allocation in turn (at some of them only, evenly spread, where there are many), by an operator new of our own.
+// Whatever is thrown, wherever: the caller's mesh and maps are as they were, and no memory is lost. Memory runs out
+// here at every allocation in turn (at some of them only, evenly spread, where there are many), by an operator new of
+// our own.
 
 namespace {
 
@@ -113,9 +114,9 @@ void operator delete[](void* block, std::size_t) noexcept
   give_back(block);
 }
 
-// A `Surface_mesh` that runs out of memory while it adds a property map, or is copied, loses the array of that map: the array,
-// its name, its values; and so does an `AABB_tree` with the root of the `Kd_tree` that it makes. Where there is a sanitizer that
-// knows who lost what, nothing else may be lost; elsewhere nothing more.
+// A `Surface_mesh` that runs out of memory while it adds a property map, or is copied, loses the array of that map: the
+// array, its name, its values; and so does an `AABB_tree` with the root of the `Kd_tree` that it makes. Where there is
+// a sanitizer that knows who lost what, nothing else may be lost; elsewhere nothing more.
 constexpr long lost_by_surface_mesh = 3;
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions()
@@ -137,7 +138,8 @@ using Location = PMP::Face_location<Mesh, double>;
 using Polyhedron =
     CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Polyhedron_items_with_id_3>;
 
-// `most` places from the first allocation to the last one, evenly spread, and each of the last ones: there the output is written.
+// `most` places from the first allocation to the last one, evenly spread, and each of the last ones: there the output
+// is written.
 std::vector<long> places_of_failure(long all, long most)
 {
   const long last = 40;
@@ -151,8 +153,8 @@ std::vector<long> places_of_failure(long all, long most)
   return result;
 }
 
-// Calls `work` again and again, running out of memory at one place after the other. Before each call `prepare` makes what is worked
-// on, and after each that fails `state` tells what it has become.
+// Calls `work` again and again, running out of memory at one place after the other. Before each call `prepare` makes
+// what is worked on, and after each that fails `state` tells what it has become.
 template <class Prepare, class Work, class State>
 void run_out_of_memory(long most, const Prepare& prepare, const Work& work, const State& state)
 {

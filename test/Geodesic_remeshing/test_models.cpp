@@ -97,8 +97,9 @@ struct Limits
   std::size_t intersections = 0;
 };
 
-// Where the improvement does not get there yet: camel's tail, much thinner than an edge is long, armadillo's claws, and unmarked creases, which no
-// triangle of that size can follow. These are the figures it does reach, so that they do not get worse unseen.
+// Where the improvement does not get there yet: camel's tail, much thinner than an edge is long, armadillo's claws, and
+// unmarked creases, which no triangle of that size can follow. These are the figures it does reach, so that they do not
+// get worse unseen.
 Limits limits_of(const Case& c)
 {
   Limits limits;

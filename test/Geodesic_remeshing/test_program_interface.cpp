@@ -1,4 +1,5 @@
-// What people expect of a program in a terminal: help, man page, completion, standard streams, colors, a documented report.
+// What people expect of a program in a terminal: help, man page, completion, standard streams, colors, a documented
+// report.
 
 #include "command_line_support.h"
 

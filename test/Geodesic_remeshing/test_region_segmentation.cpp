@@ -430,8 +430,8 @@ TEST(Region_tree, two_equal_maxima)
   EXPECT_EQ(regions[0].parents, regions[1].parents);
 }
 
-// The fronts of two leaves that meet exactly when they come to a curve: a hair decides whether that curve is the last of
-// the leaf or the first of the region below, and either must do.
+// The fronts of two leaves that meet exactly when they come to a curve: a hair decides whether that curve is the last
+// of the leaf or the first of the region below, and either must do.
 TEST(Region_tree, saddle_exactly_at_a_level)
 {
   const Mesh mesh = made::branching_tubes({24, 16, 16});
@@ -545,8 +545,8 @@ TEST(Region_segmentation, takes_polyhedra_and_point_maps)
     EXPECT_EQ(again[f], regions[f]);
 }
 
-// Each component with boundary is one region, so that the Euler characteristics of the regions are those of the components;
-// closed ones beside them have their trees.
+// Each component with boundary is one region, so that the Euler characteristics of the regions are those of the
+// components; closed ones beside them have their trees.
 TEST(Region_segmentation, components_with_boundary_are_regions)
 {
   const Mesh tubes = made::branching_tubes({20, 12, 15});

@@ -279,8 +279,8 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 
 } // namespace
 
-// The first seeds always; from GEODESIC_REMESHING_SEED on, for GEODESIC_REMESHING_SECONDS, if these are set. A seed that fails can be
-// run alone: GEODESIC_REMESHING_SEED=... GEODESIC_REMESHING_SECONDS=0
+// The first seeds always; from GEODESIC_REMESHING_SEED on, for GEODESIC_REMESHING_SECONDS, if these are set. A seed
+// that fails can be run alone: GEODESIC_REMESHING_SEED=... GEODESIC_REMESHING_SECONDS=0
 TEST(Random_surfaces, are_remeshed_or_refused)
 {
   const std::uint64_t first = environment("GEODESIC_REMESHING_SEED", 1);
@@ -337,8 +337,8 @@ std::uint64_t checksum(const Mesh& mesh)
 
 } // namespace
 
-// The sums are written to a file beside the program: scripts/test compares those of its builds, of two compilers, with and without
-// optimisation and assertions.
+// The sums are written to a file beside the program: scripts/test compares those of its builds, of two compilers, with
+// and without optimisation and assertions.
 TEST(Same_bytes, from_every_build)
 {
   std::ofstream out("checksums.txt");

@@ -22,7 +22,8 @@
 #include <utility>
 #include <vector>
 
-// A sizing folded into the metric (paper, section 4): the lengths that edges get, and still the number of vertices asked for.
+// A sizing folded into the metric (paper, section 4): the lengths that edges get, and still the number of vertices
+// asked for.
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace GR = CGAL::Geodesic_remeshing;
@@ -72,7 +73,8 @@ std::vector<double> mean_lengths(const Mesh& mesh)
   return result;
 }
 
-// Of the mean lengths at a vertex and at any of its neighbours: the ratio that so many parts of the vertices do not exceed
+// Of the mean lengths at a vertex and at any of its neighbours: the ratio that so many parts of the vertices do not
+// exceed
 double neighbour_ratio(const Mesh& mesh, double part)
 {
   const std::vector<double> lengths = mean_lengths(mesh);
@@ -576,8 +578,8 @@ TEST_P(Sized_model, is_nearer_to_the_surface_at_the_same_number)
 #endif
 }
 
-// Three quarters are wanted. On armadillo the curvature is so even that no sizing could reach less than .83 (see internal/curvature.h);
-// dino misses it by a little, and elephant since uniform meshes lie nearer to the surface.
+// Three quarters are wanted. On armadillo the curvature is so even that no sizing could reach less than .83 (see
+// internal/curvature.h); dino misses it by a little, and elephant since uniform meshes lie nearer to the surface.
 INSTANTIATE_TEST_SUITE_P(, Sized_model,
                          testing::Values(Model{"homer", .75}, Model{"bear", .75}, Model{"dino", .8},
                                          Model{"camel", .75}, Model{"elephant", .77}, Model{"armadillo", .91},

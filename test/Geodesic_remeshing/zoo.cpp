@@ -76,7 +76,8 @@ std::string faults(const GR::Remeshing_validity& v)
   return result;
 }
 
-// What is not promised where sheets of the surface are nearer to each other than the edges are long, or touch: counted, not refused.
+// What is not promised where sheets of the surface are nearer to each other than the edges are long, or touch: counted,
+// not refused.
 std::string blemishes(const GR::Remeshing_validity& v)
 {
   std::string result;

@@ -1,5 +1,5 @@
-// The reader of the command-line program: of any bytes it makes a mesh that geodesic_remeshing() takes, or an Input_error.
-// The first byte tells the format, and whether to repair and to stitch.
+// The reader of the command-line program: of any bytes it makes a mesh that geodesic_remeshing() takes, or an
+// Input_error. The first byte tells the format, and whether to repair and to stitch.
 
 #include "input.h"
 

@@ -2,8 +2,9 @@
 \ingroup PkgGeodesicRemeshingConcepts
 \cgalConcept
 
-The concept `GeodesicRemeshingSizingField` describes an object that tells how long the edges of a remeshed surface are to be. It is passed to
-`CGAL::geodesic_remeshing()` by the named parameter `sizing_field`, and asked once for each vertex of the input that has a face.
+The concept `GeodesicRemeshingSizingField` describes an object that tells how long the edges of a remeshed surface are
+to be. It is passed to `CGAL::geodesic_remeshing()` by the named parameter `sizing_field`, and asked once for each
+vertex of the input that has a face.
 
 A vertex property map of lengths or a model of `PMPSizingField`, whose function is `at(v, tmesh)`, may take its place.
 
@@ -28,8 +29,8 @@ public:
   /// \name Optional
   /// @{
 
-  /// returns the limits of the lengths. A class that has no limits of its own need not have this function; named parameters of
-  /// `CGAL::geodesic_remeshing()` come before what it returns.
+  /// returns the limits of the lengths. A class that has no limits of its own need not have this function; named
+  /// parameters of `CGAL::geodesic_remeshing()` come before what it returns.
   CGAL::Geodesic_remeshing::Sizing_limits limits() const;
 
   /// @}

@@ -2,10 +2,10 @@
 \ingroup PkgGeodesicRemeshingConcepts
 \cgalConcept
 
-The concept `GeodesicRemeshingVisitor` describes an object that watches `CGAL::geodesic_remeshing()` at work and can stop it. It is
-passed by reference, `visitor(std::ref(v))`, if what it sees is to be found in `v` afterwards; else a copy of it is called. Its functions
-are called from the thread that called `CGAL::geodesic_remeshing()`; an exception that they throw passes through to the caller, the output
-being as it was before.
+The concept `GeodesicRemeshingVisitor` describes an object that watches `CGAL::geodesic_remeshing()` at work and can
+stop it. It is passed by reference, `visitor(std::ref(v))`, if what it sees is to be found in `v` afterwards; else a
+copy of it is called. Its functions are called from the thread that called `CGAL::geodesic_remeshing()`; an exception
+that they throw passes through to the caller, the output being as it was before.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Geodesic_remeshing::Default_visitor}
@@ -17,7 +17,8 @@ public:
   /// called when a stage begins; `CGAL::Geodesic_remeshing::Default_visitor::stage()` lists their names
   void stage(const std::string& name);
 
-  /// called now and then with the part of the whole work that is done, from 0 to 1, which never falls. Returning `false` before 1 stops the work:
-  /// `CGAL::Geodesic_remeshing::Remeshing_error` is thrown, and the output is as it was before.
+  /// called now and then with the part of the whole work that is done, from 0 to 1, which never falls. Returning
+  /// `false` before 1 stops the work: `CGAL::Geodesic_remeshing::Remeshing_error` is thrown, and the output is as it
+  /// was before.
   bool progress(double done);
 };

@@ -2,10 +2,10 @@
 //
 //   geodesic_remeshing_stages INPUT.off NUMBER_OF_VERTICES FOLDER yes|no CONTRAST FEATURE_ANGLE PARTS
 //
-// The fourth argument tells whether to segment, the next how much the lengths differ by curvature, from what angle on features are
-// kept (180: none), and into how many parts, one above the other, the faces of the input are sorted, whose borders are kept. The files in
-// FOLDER are input, distances, regions, curves, samples, strips, output, lines (the constrained edges of the output), input_parts and
-// output_parts, all with the extension vtk.
+// The fourth argument tells whether to segment, the next how much the lengths differ by curvature, from what angle on
+// features are kept (180: none), and into how many parts, one above the other, the faces of the input are sorted, whose
+// borders are kept. The files in FOLDER are input, distances, regions, curves, samples, strips, output, lines (the
+// constrained edges of the output), input_parts and output_parts, all with the extension vtk.
 
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Geodesic_remeshing/attribute_transfer.h>

@@ -33,8 +33,9 @@
 
 extern char** environ;
 
-// A folder of models, remeshed one by one with geodesic_remesh. Each model is a process of its own: one that fails or runs out of memory
-// takes no other with it. A result appears as a whole or not at all, so that what there is of a run that was broken off is done.
+// A folder of models, remeshed one by one with geodesic_remesh. Each model is a process of its own: one that fails or
+// runs out of memory takes no other with it. A result appears as a whole or not at all, so that what there is of a run
+// that was broken off is done.
 namespace batch {
 
 namespace fs = std::filesystem;
@@ -77,8 +78,8 @@ public:
     find_models();
   }
 
-  // The models that have no result newer than they are, the largest first: the last ones to be remeshed, which some processors wait
-  // for, are small ones then.
+  // The models that have no result newer than they are, the largest first: the last ones to be remeshed, which some
+  // processors wait for, are small ones then.
   const std::vector<fs::path>& models() const { return m_models; }
   std::size_t number_of_models_done_before() const { return m_done_before; }
 

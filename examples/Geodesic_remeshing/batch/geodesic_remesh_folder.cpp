@@ -1,4 +1,7 @@
-// Remeshes all models of a folder over all processors of this machine: geodesic_remesh_folder models remeshed --vertices 5000
+// Remeshes all models of a folder over all processors of this machine:
+//
+//   geodesic_remesh_folder models remeshed --vertices 5000
+//
 // The same command again goes on where it was broken off.
 
 #include "Batch.h"

@@ -1,5 +1,9 @@
-// The same over many machines, which share the folders: mpirun geodesic_remesh_folder_mpi models remeshed --vertices 5000
-// Process 0 hands out the models one by one and remeshes none; each of the others asks for the next as soon as it is free.
+// The same over many machines, which share the folders:
+//
+//   mpirun geodesic_remesh_folder_mpi models remeshed --vertices 5000
+//
+// Process 0 hands out the models one by one and remeshes none; each of the others asks for the next as soon as it is
+// free.
 
 #include "Batch.h"
 

@@ -15,7 +15,8 @@
 #include <ostream>
 #include <string>
 
-// The texts that are installed beside the program, made from the list of the options: a man page and completions for two shells.
+// The texts that are installed beside the program, made from the list of the options: a man page and completions for
+// two shells.
 namespace command_line {
 
 namespace internal {

@@ -79,8 +79,8 @@ inline Point middle(const Mesh& mesh, Mesh::Face_index f)
   return CGAL::centroid(p[0], p[1], p[2]);
 }
 
-// Calls `visit(number, face)` in an order in which faces that follow each other are near: searches that begin at the last place
-// are fast then.
+// Calls `visit(number, face)` in an order in which faces that follow each other are near: searches that begin at the
+// last place are fast then.
 template <class Visit>
 void visit_by_place(const Mesh& mesh, const Shown_mesh& shown, const Visit& visit)
 {

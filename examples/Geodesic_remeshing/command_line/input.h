@@ -78,8 +78,8 @@ inline Mesh make_mesh(const Soup& soup)
 
 } // namespace internal
 
-// The triangle mesh of a file, the vertices of its boundary made one where they are no farther apart than a tolerance (0: not). What is
-// no mesh is repaired where it can be, or refused with what is wrong, and where.
+// The triangle mesh of a file, the vertices of its boundary made one where they are no farther apart than a tolerance
+// (0: not). What is no mesh is repaired where it can be, or refused with what is wrong, and where.
 inline Input read_mesh(const Input_file& file, bool do_repair, double stitch_tolerance)
 {
   try

@@ -37,8 +37,8 @@ extern "C" inline void remove_temporary_files_and_end(int signal)
 
 } // namespace internal
 
-// While it lives, a signal that ends the program (Ctrl-C, `kill`, the terminal closed) takes the temporary files with it. Signals
-// that whoever started the program chose to ignore stay ignored.
+// While it lives, a signal that ends the program (Ctrl-C, `kill`, the terminal closed) takes the temporary files with
+// it. Signals that whoever started the program chose to ignore stay ignored.
 class Interruption
 {
 public:

@@ -25,8 +25,8 @@
 
 namespace command_line {
 
-// What CGAL's readers and writers of OBJ files leave out: texture coordinates of corners, and colors of vertices, which many programs
-// write behind the coordinates
+// What CGAL's readers and writers of OBJ files leave out: texture coordinates of corners, and colors of vertices, which
+// many programs write behind the coordinates
 using Texture_coordinates = std::array<double, 2>;
 using Texture_map = Mesh::Property_map<Mesh::Halfedge_index, Texture_coordinates>; // of the corner at the target
 using Color = mesh_quality::Kernel::Vector_3; // red, green and blue, in the unit of the file
@@ -68,7 +68,8 @@ inline std::optional<Obj_corner> obj_corner(const std::string& word, std::size_t
   return Obj_corner{obj_index(word.substr(0, slash), vertices), obj_index(word.substr(slash + 1), textures)};
 }
 
-// The part of an OBJ file that is carried over. Corners are those of the mesh's faces, which are those of the file in its order.
+// The part of an OBJ file that is carried over. Corners are those of the mesh's faces, which are those of the file in
+// its order.
 class Obj_reader
 {
 public:

@@ -15,13 +15,14 @@
 #include <string>
 #include <vector>
 
-// What there is to choose, once for all: the parser, --help, the man page and the completions of the shells are made from this list.
+// What there is to choose, once for all: the parser, --help, the man page and the completions of the shells are made
+// from this list.
 namespace command_line {
 
 namespace po = boost::program_options;
 
-// A group of options under one heading. The name of a value tells the shells what to offer: files if it begins with FILE, words if
-// it is a list of them with | between.
+// A group of options under one heading. The name of a value tells the shells what to offer: files if it begins with
+// FILE, words if it is a list of them with | between.
 struct Option_group
 {
   std::string caption;

@@ -39,8 +39,8 @@ struct Output_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// The files of one run: each is written beside its place under another name, and all are put into their places at the end,
-// so that nobody ever sees half a file, nor files of a run that failed.
+// The files of one run: each is written beside its place under another name, and all are put into their places at the
+// end, so that nobody ever sees half a file, nor files of a run that failed.
 class Output_files
 {
 public:
@@ -85,8 +85,8 @@ public:
       fs::permissions(temporary, fs::status(target, error).permissions(), error);
   }
 
-  // `write` is given a stream, unless the file was not announced: no name, not wanted. The file counts as written only if
-  // all of it reached the disk.
+  // `write` is given a stream, unless the file was not announced: no name, not wanted. The file counts as written only
+  // if all of it reached the disk.
   template <class Write>
   void write(const std::string& name, const Write& write)
   {

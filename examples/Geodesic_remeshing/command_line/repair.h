@@ -62,8 +62,8 @@ inline bool is_turned(const std::vector<std::size_t>& before, const std::vector<
   return false;
 }
 
-// Makes a mesh of the soup by the tools of CGAL, and tells what had to be done. Where more than two faces meet in an edge, or more than
-// one fan in a vertex, these are duplicated, so that the faces no longer hang together there.
+// Makes a mesh of the soup by the tools of CGAL, and tells what had to be done. Where more than two faces meet in an
+// edge, or more than one fan in a vertex, these are duplicated, so that the faces no longer hang together there.
 inline std::vector<std::string> repair(Soup& soup)
 {
   std::vector<std::string> repairs;

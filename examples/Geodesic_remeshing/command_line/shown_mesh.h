@@ -51,8 +51,8 @@ struct Shown_mesh
 
 namespace internal {
 
-// The cell of a grid that each vertex lies in; the vertices of a cell become one. A cell so small that each vertex has its own
-// changes nothing.
+// The cell of a grid that each vertex lies in; the vertices of a cell become one. A cell so small that each vertex has
+// its own changes nothing.
 class Vertex_cells
 {
 public:
@@ -140,8 +140,8 @@ inline Shown_mesh whole(const Mesh& mesh)
 
 } // namespace internal
 
-// All faces if there are no more than the largest number, or as many as are left when near vertices are joined, on the coarsest
-// grid but one that leaves too many
+// All faces if there are no more than the largest number, or as many as are left when near vertices are joined, on the
+// coarsest grid but one that leaves too many
 inline Shown_mesh shown_mesh(const Mesh& mesh, std::size_t largest_number_of_faces)
 {
   if(mesh.number_of_faces() <= largest_number_of_faces)

@@ -224,8 +224,9 @@ inline void check_vertices(const Soup& soup, const std::vector<Side>& sides)
     }
 }
 
-// A one-sided surface, as that of Moebius, has no orientation; only cutting it open would give it one. A face as it is and the
-// face turned over are two elements here: those that must go together are united, and none may meet its own opposite.
+// A one-sided surface, as that of Moebius, has no orientation; only cutting it open would give it one. A face as it is
+// and the face turned over are two elements here: those that must go together are united, and none may meet its own
+// opposite.
 inline void check_orientability(const Soup& soup, const std::vector<Side>& sides)
 {
   const std::size_t n = soup.polygons.size();

@@ -77,7 +77,8 @@ private:
   std::vector<Entry> m_entries;
 };
 
-// Makes one vertex of those of the boundary that are no farther from each other than the tolerance; returns how many went.
+// Makes one vertex of those of the boundary that are no farther from each other than the tolerance; returns how many
+// went.
 inline std::size_t stitch(Soup& soup, double tolerance)
 {
   const std::vector<std::size_t> boundary = vertices_of_boundary(soup);

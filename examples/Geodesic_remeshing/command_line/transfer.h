@@ -28,9 +28,9 @@ namespace command_line {
 
 using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
 
-// What the file of the input has beside points and faces, carried over to the output (--transfer): from PLY to PLY all scalar
-// properties, colours and normals of vertices and faces; from OBJ to OBJ the texture
-// coordinates, their seams being constrained edges, and the colours of vertices.
+// What the file of the input has beside points and faces, carried over to the output (--transfer): from PLY to PLY all
+// scalar properties, colours and normals of vertices and faces; from OBJ to OBJ the texture coordinates, their seams
+// being constrained edges, and the colours of vertices.
 class Transfer
 {
 public:

@@ -215,7 +215,8 @@ struct One_sided_distance
   double root_mean_square = 0.;
 };
 
-// In an order in which each is near the one before, whatever that of the mesh is: it makes the queries several times as fast.
+// In an order in which each is near the one before, whatever that of the mesh is: it makes the queries several times as
+// fast.
 template <typename Index, typename Point_of_index>
 void sort_in_space(std::vector<Index>& indices, const Point_of_index& point_of)
 {
@@ -239,8 +240,8 @@ inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t l
   return farthest;
 }
 
-// Samples at equal steps of area, placed in their faces by a sequence of low discrepancy: no random numbers, so that the
-// same meshes give the same figures.
+// Samples at equal steps of area, placed in their faces by a sequence of low discrepancy: no random numbers, so that
+// the same meshes give the same figures.
 inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to, std::size_t number_of_samples)
 {
   std::vector<Mesh::Face_index> faces(from.faces().begin(), from.faces().end());

@@ -28,12 +28,14 @@ namespace Geodesic_remeshing {
 /*!
  * \ingroup PkgGeodesicRemeshingSizingRef
  *
- * \brief A sizing field by curvature: short edges where the surface bends, long ones where it is flat (paper, section 4).
+ * \brief A sizing field by curvature: short edges where the surface bends, long ones where it is flat (paper, section
+ * 4).
  *
- * The curvature of a vertex is a combination of the Gaussian curvature \f$K\f$ and the mean curvature \f$H\f$ with the weights \f$a\f$ and \f$b\f$
- * of the user, \f$\kappa = a \sqrt{|K|} + b |H|\f$, in which both have the unit of an inverse length. The length at the vertex is proportional to
- * \f$(\min(\kappa / \bar\kappa, 4) + 0.3)^{-0.8 c}\f$ with the mean \f$\bar\kappa\f$ over the surface and the contrast \f$c\f$: with 0 the sizing is
- * uniform, with 0.5 the RMS distance from the surface is about the least, with more the deviation of the most bent parts falls further.
+ * The curvature of a vertex is a combination of the Gaussian curvature \f$K\f$ and the mean curvature \f$H\f$ with the
+ * weights \f$a\f$ and \f$b\f$ of the user, \f$\kappa = a \sqrt{|K|} + b |H|\f$, in which both have the unit of an
+ * inverse length. The length at the vertex is proportional to \f$(\min(\kappa / \bar\kappa, 4) + 0.3)^{-0.8 c}\f$ with
+ * the mean \f$\bar\kappa\f$ over the surface and the contrast \f$c\f$: with 0 the sizing is uniform, with 0.5 the RMS
+ * distance from the surface is about the least, with more the deviation of the most bent parts falls further.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  *
@@ -74,9 +76,8 @@ public:
    *     \cgalParamDefault{`0.5`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{ball_radius}
-   *     \cgalParamDescription{the radius of the ball around a vertex over which the curvatures are averaged, in the unit of the coordinates}
-   *     \cgalParamType{`double`}
-   *     \cgalParamDefault{the faces around the vertex and its neighbours}
+   *     \cgalParamDescription{the radius of the ball around a vertex over which the curvatures are averaged, in the
+   * unit of the coordinates} \cgalParamType{`double`} \cgalParamDefault{the faces around the vertex and its neighbours}
    *     \cgalParamExtra{Of use on noisy surfaces; the time grows with the number of faces in a ball.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradation}
@@ -96,19 +97,17 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
-   *                    as key type and `%Point_3` as value type}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{geom_traits}
-   *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
-   *     \cgalParamType{a class model of `Kernel`, or any with these functors}
-   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
-   *   \cgalParamNEnd
-   * \cgalNamedParamsEnd
+   *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+   * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal
+   * kernel deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
    *
-   * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not finite, or if a
-   *         parameter is out of its range
+   * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not
+   * finite, or if a parameter is out of its range
    *
    * \cgalBigO{n} for `n` vertices without `ball_radius`.
    */

@@ -28,17 +28,19 @@ namespace Geodesic_remeshing {
  *
  * \brief carries a property of the vertices of the input of a remeshing over to those of its output.
  *
- * Floating-point numbers, points, vectors, colours and arrays of numbers are interpolated over the input face in which the vertex lies; of anything else, as
- * labels and integers, a vertex gets the value of the corner that it is nearest to, by its barycentric coordinates.
+ * Floating-point numbers, points, vectors, colours and arrays of numbers are interpolated over the input face in which
+ * the vertex lies; of anything else, as labels and integers, a vertex gets the value of the corner that it is nearest
+ * to, by its barycentric coordinates.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam OutputMesh a model of `VertexListGraph`
- * @tparam VertexLocationMap a model of `ReadablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type
- *         and `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor, std::array<double, 3>>` as value type: what
- *         `geodesic_remeshing()` fills when it is passed as `vertex_location_map`
- * @tparam InputMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type
- * @tparam OutputMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and the
- *         value type of `InputMap`
+ * @tparam VertexLocationMap a model of `ReadablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
+ * as key type and `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor, std::array<double, 3>>` as value
+ * type: what `geodesic_remeshing()` fills when it is passed as `vertex_location_map`
+ * @tparam InputMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key
+ * type
+ * @tparam OutputMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key
+ * type and the value type of `InputMap`
  *
  * @param tmesh the input of the remeshing, unchanged since
  * @param input_map the property of its vertices
@@ -71,14 +73,16 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
  *
  * \brief carries a property of the faces of the input of a remeshing over to those of its output.
  *
- * A face gets the value of the input face in which its centre lies, as found by walking there from one of its vertices on the input
- * surface. Where the borders between values are to be kept, remesh with them as `face_patch_map`.
+ * A face gets the value of the input face in which its centre lies, as found by walking there from one of its vertices
+ * on the input surface. Where the borders between values are to be kept, remesh with them as `face_patch_map`.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam OutputMesh a model of `FaceListGraph`
  * @tparam VertexLocationMap as for `transfer_vertex_property()`
- * @tparam InputMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type
- * @tparam OutputMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as key type
+ * @tparam InputMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
+ * type
+ * @tparam OutputMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as key
+ * type
  *
  * @param tmesh the input of the remeshing, unchanged since
  * @param input_map the property of its faces
@@ -90,19 +94,17 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_index_map}
- *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
- *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ * gaps} \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -130,17 +132,20 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
 /*!
  * \ingroup PkgGeodesicRemeshingAttributesRef
  *
- * \brief carries a property of the corners of the input's faces, as texture coordinates, over to those of the output's faces.
+ * \brief carries a property of the corners of the input's faces, as texture coordinates, over to those of the output's
+ * faces.
  *
- * A property of corners may jump at edges: the seams of a texture. For the corner of an output face, the input face beside the vertex that is
- * meant is the one in which the output face begins; so a seam stays sharp if its edges were constrained when remeshing.
+ * A property of corners may jump at edges: the seams of a texture. For the corner of an output face, the input face
+ * beside the vertex that is meant is the one in which the output face begins; so a seam stays sharp if its edges were
+ * constrained when remeshing.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam OutputMesh a model of `FaceListGraph`
  * @tparam VertexLocationMap as for `transfer_vertex_property()`
- * @tparam InputMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type: the
- *         property of the corner at the target of a halfedge in the face of that halfedge
- * @tparam OutputMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%halfedge_descriptor` as key type
+ * @tparam InputMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as
+ * key type: the property of the corner at the target of a halfedge in the face of that halfedge
+ * @tparam OutputMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%halfedge_descriptor` as
+ * key type
  *
  * @param tmesh the input of the remeshing, unchanged since
  * @param input_map the property of its corners
@@ -152,19 +157,17 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_index_map}
- *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
- *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ * gaps} \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

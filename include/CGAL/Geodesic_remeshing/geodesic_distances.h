@@ -120,11 +120,9 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
  *
  * @pre `tmesh` is a triangle mesh with finite coordinates and positive weights; the coordinates of points in faces
  *        are not negative
@@ -210,11 +208,9 @@ void geodesic_distances(const TriangleMesh& tmesh, VertexDistanceMap vertex_dist
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
  *
  * @pre `tmesh` is a triangle mesh with finite coordinates and positive weights; consecutive points of the curve have
  *        a face or an edge

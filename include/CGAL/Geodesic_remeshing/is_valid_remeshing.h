@@ -46,7 +46,8 @@ struct Remeshing_validity
       0; ///< of the output: looking against the input surface at their centre and at all their corners
   std::size_t self_intersections = 0;   ///< pairs of faces of the output that intersect but in what they share
   bool input_intersects_itself = false; ///< then the output may
-  /// the largest distance of a constrained edge or a boundary edge of the input from the edges of the output, divided by the diagonal
+  /// the largest distance of a constrained edge or a boundary edge of the input from the edges of the output, divided
+  /// by the diagonal
   double line_distance = 0.;
   /// whether that is at most the tolerance for lines
   bool covers_lines = false;
@@ -101,21 +102,17 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{the edges of `tmesh`, beside those of its boundary, that edges of the output must cover}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
- *                    type and `bool` as value type}
- *     \cgalParamDefault{no edge}
- *   \cgalParamNEnd
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+ * as key type and `bool` as value type} \cgalParamDefault{no edge} \cgalParamNEnd
  *   \cgalParamNBegin{expected_number_of_vertices}
  *     \cgalParamDescription{the number of vertices asked for}
  *     \cgalParamType{`std::size_t`}
@@ -125,12 +122,9 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamDescription{how far from the surface a vertex may be, as a part of the diagonal of the box of `tmesh`}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{`1e-9`}
- *     \cgalParamExtra{The vertices of a mesh made with `do_project(false)` are off the surface, by less than an edge length.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{line_tolerance}
- *     \cgalParamDescription{how far a point of a boundary or of a constrained edge may be from the edges of the output, as a part of
- *                           that diagonal}
- *     \cgalParamType{`double`}
+ *     \cgalParamExtra{The vertices of a mesh made with `do_project(false)` are off the surface, by less than an edge
+ * length.} \cgalParamNEnd \cgalParamNBegin{line_tolerance} \cgalParamDescription{how far a point of a boundary or of a
+ * constrained edge may be from the edges of the output, as a part of that diagonal} \cgalParamType{`double`}
  *     \cgalParamDefault{`0.01`}
  *     \cgalParamExtra{Straight lines are covered to rounding; curved ones to the height of an arc over an edge.}
  *   \cgalParamNEnd
@@ -146,15 +140,14 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, remeshed)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
  *
  * @return what holds and what does not
  *
- * @throws std::invalid_argument if the input is empty, has a face that is not a triangle or a coordinate that is not finite
+ * @throws std::invalid_argument if the input is empty, has a face that is not a triangle or a coordinate that is not
+ * finite
  *
  * \cgalBigO{(n + m) log (n + m)} for `n` and `m` faces, but for the pairs that intersect.
  */

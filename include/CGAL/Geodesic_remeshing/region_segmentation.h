@@ -37,17 +37,17 @@ struct Region_node
   std::vector<std::size_t>
       parents; ///< the regions below: none for a root, two below the saddle where a front splits at a handle, else one
   std::vector<std::size_t> children; ///< the regions above: none for a leaf
-  VertexDescriptor
-      centre; ///< the maximum of a leaf, the root vertex, or the saddle where the fronts above meet (or the vertex next to it)
-  double
-      height; ///< the distance from the top to the bottom: a multiple of the curve distance, but for the root; 0 for a region that degenerates to its top
+  VertexDescriptor centre; ///< the maximum of a leaf, the root vertex, or the saddle where the fronts above meet (or
+                           ///< the vertex next to it)
+  double height; ///< the distance from the top to the bottom: a multiple of the curve distance, but for the root; 0 for
+                 ///< a region that degenerates to its top
   std::size_t number_of_curves; ///< the equidistant curves in it, its bottom included
 };
 
 /*!
  * \ingroup PkgGeodesicRemeshingRegionsRef
- * The regions of a surface, children before their parents. On a surface of genus 0 they form a tree under the root; each handle
- * adds a region whose front splits and two that meet again.
+ * The regions of a surface, children before their parents. On a surface of genus 0 they form a tree under the root;
+ * each handle adds a region whose front splits and two that meet again.
  */
 template <class VertexDescriptor>
 using Region_tree = std::vector<Region_node<VertexDescriptor>>;
@@ -91,49 +91,48 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  * \brief segments a surface into regions in which a front of constant distance moves without meeting itself or another.
  *
  * This is section 5 of the paper, for surfaces of any genus. Leaves are discs around the maxima of the distance from a
- * root vertex; interior regions are annuli that begin at the "spectacles" where fronts meet and end a whole number of curve
- * distances further on; the root region is the disc around the root. A maximum that rises less than half a curve distance above the
- * saddle beside it is noise and has no region. Every connected component has a tree of its own. One with boundary is a single region, the root,
- * as in `CGAL::geodesic_remeshing()`: its front starts on the straightest long piece of the boundary, on which its centre lies.
+ * root vertex; interior regions are annuli that begin at the "spectacles" where fronts meet and end a whole number of
+ * curve distances further on; the root region is the disc around the root. A maximum that rises less than half a curve
+ * distance above the saddle beside it is noise and has no region. Every connected component has a tree of its own. One
+ * with boundary is a single region, the root, as in `CGAL::geodesic_remeshing()`: its front starts on the straightest
+ * long piece of the boundary, on which its centre lies.
  *
  * The boundaries of the regions run through faces; each face gets the region that covers most of it.
  * `Stage_results::regions` has the surface cut along the boundaries.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
- * @tparam FaceRegionMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type
- *         and an integral value type
+ * @tparam FaceRegionMap a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as
+ * key type and an integral value type
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param tmesh a triangle mesh of any genus, with any number of boundary loops and connected components
- * @param curve_distance the distance between curves, to a multiple of which heights are rounded down; for a remeshing it is
- *        \f$\sqrt{3/4}\f$ of the edge length. Positive.
+ * @param curve_distance the distance between curves, to a multiple of which heights are rounded down; for a remeshing
+ * it is \f$\sqrt{3/4}\f$ of the edge length. Positive.
  * @param face_region_map filled with the index of the region of each face
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `%Point_3` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`}
- *     \cgalParamType{a class model of `Kernel`, or any with these functors}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
+ * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
+ * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *                    as key type and `std::size_t` as value type}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @return the regions, children before their parents
- * @throws std::invalid_argument if the mesh is empty, not triangulated or has a coordinate that is not finite, or if the
- *         curve distance is not positive and finite
+ * @throws std::invalid_argument if the mesh is empty, not triangulated or has a coordinate that is not finite, or if
+ * the curve distance is not positive and finite
  *
  * \cgalBigO{n log n} for `n` vertices after long edges have been split.
  */

@@ -25,8 +25,8 @@ namespace Geodesic_remeshing {
 
 /*!
  * \ingroup PkgGeodesicRemeshingTypesRef
- * The target of a remeshing given as the length of its edges, in the unit of the coordinates. A type of its own, so that
- * a length is not taken for a number of vertices.
+ * The target of a remeshing given as the length of its edges, in the unit of the coordinates. A type of its own, so
+ * that a length is not taken for a number of vertices.
  */
 struct Edge_length
 {
@@ -35,8 +35,8 @@ struct Edge_length
 
 /*!
  * \ingroup PkgGeodesicRemeshingTypesRef
- * The target of a remeshing given as its number of faces. A closed triangle mesh has an even number of faces: an odd one is
- * rounded down.
+ * The target of a remeshing given as its number of faces. A closed triangle mesh has an even number of faces: an odd
+ * one is rounded down.
  */
 struct Number_of_faces
 {
@@ -51,9 +51,9 @@ struct Sizing_limits
 {
   double minimum_length = 0.; ///< no length below this one, in the unit of the coordinates
   double maximum_length = std::numeric_limits<double>::infinity(); ///< none above this one
-  /// how much the length may grow over a way on the surface, divided by the length of the way: with a gradation g edges at
-  /// neighbouring vertices aim at lengths that differ by at most a factor (2 + g) / (2 - g), some 12 percent for 0.12. Positive;
-  /// infinite for no limit.
+  /// how much the length may grow over a way on the surface, divided by the length of the way: with a gradation g edges
+  /// at neighbouring vertices aim at lengths that differ by at most a factor (2 + g) / (2 - g), some 12 percent for
+  /// 0.12. Positive; infinite for no limit.
   double gradation = .12;
 };
 
@@ -69,8 +69,8 @@ struct Summary
   std::size_t number_of_regions = 0;  ///< of the region tree (paper, section 5)
   std::size_t number_of_curves = 0;   ///< equidistant curves
   std::size_t number_of_strips = 0;   ///< pieces that the curves divide the surface into
-  /// with `do_project(false)`, the root of the mean square of the distances of points of the input from the output, as found at about
-  /// ten points a face
+  /// with `do_project(false)`, the root of the mean square of the distances of points of the input from the output, as
+  /// found at about ten points a face
   double rms_distance = 0.;
   /// with `do_project(false)`, the largest distance found, in both directions
   double largest_distance = 0.;
@@ -95,7 +95,8 @@ public:
  */
 struct Default_visitor
 {
-  /// called when a stage begins: `"input"`, `"sizing"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`, `"samples"`, `"strips"`,
+  /// called when a stage begins: `"input"`, `"sizing"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`,
+  /// `"samples"`, `"strips"`,
   /// `"improvement"`, `"fitting"` (with `do_project(false)`), `"output"`
   void stage(const std::string& /* name */) {}
   /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work

@@ -84,8 +84,8 @@ public:
   std::vector<std::uint32_t> take_cells() { return std::move(m_cell); }
 
 private:
-  // Shortest paths along the edges: coarse for distances, but every vertex is joined to its sample by edges within the cell.
-  // In rounds of about an edge's length, each in the order in which vertices were reached, and again if they are
+  // Shortest paths along the edges: coarse for distances, but every vertex is joined to its sample by edges within the
+  // cell. In rounds of about an edge's length, each in the order in which vertices were reached, and again if they are
   // reached on a shorter way: what is next in a heap may be anywhere on the surface.
   void grow(const std::vector<Vertex>& sources, bool along_lines, const Metric& metric, double step)
   {

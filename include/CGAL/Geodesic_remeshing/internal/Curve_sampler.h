@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Distributes the vertices of the new mesh over the curves (paper, section 6): first the root, the tips and the bridges with
-// their T-junctions, then each curve, from the tops down, at equal distances and with the phase that puts each
+// Distributes the vertices of the new mesh over the curves (paper, section 6): first the root, the tips and the bridges
+// with their T-junctions, then each curve, from the tops down, at equal distances and with the phase that puts each
 // vertex opposite the middle of an edge of the curve before.
 class Curve_sampler
 {
@@ -60,8 +60,8 @@ public:
     return m_samples.take();
   }
 
-  // A rule for tiny curves: a loop needs three samples to be more than a line, and has them from three quarters of an edge
-  // length on. Smaller ones surround a tip or a passing bump, which the samples around it cover.
+  // A rule for tiny curves: a loop needs three samples to be more than a line, and has them from three quarters of an
+  // edge length on. Smaller ones surround a tip or a passing bump, which the samples around it cover.
   static int number_on_loop(double length, double spacing, double edge_length)
   {
     const int n = static_cast<int>(std::lround(length / spacing));
@@ -101,7 +101,8 @@ private:
     return true;
   }
 
-  // The bridge runs from front to front; its ends on the two curves are the T-junctions, which both curves get as samples.
+  // The bridge runs from front to front; its ends on the two curves are the T-junctions, which both curves get as
+  // samples.
   void sample_bridge(const std::vector<Vertex>& bridge)
   {
     std::vector<Path_point> path;
@@ -235,8 +236,8 @@ private:
     }
   }
 
-  // The phase in [0, 1) that agrees best with the curve before: each of its samples near this curve votes for the middle of a
-  // step being opposite to it. The votes are directions, and their sum is the answer.
+  // The phase in [0, 1) that agrees best with the curve before: each of its samples near this curve votes for the
+  // middle of a step being opposite to it. The votes are directions, and their sum is the answer.
   double phase(const Level_curve& curve, int n) const
   {
     const double step = m_path.length() / n;
@@ -261,7 +262,8 @@ private:
                                 const double offset = density * density * ((q - here) * tangent);
                                 if(std::abs(offset) > .75 * step)
                                   return; // another step's business
-                                // the vote on the square |x| + |y| = 1 in place of the circle: as good a direction, and no sine
+                                // the vote on the square |x| + |y| = 1 in place of the circle: as good a direction, and
+                                // no sine
                                 const double turn = offset / step - std::floor(offset / step); // in [0, 1)
                                 x += turn < .5 ? 1. - 4. * turn : 4. * turn - 3.;
                                 y += turn < .25 ? 4. * turn : (turn < .75 ? 2. - 4. * turn : 4. * turn - 4.);
@@ -278,7 +280,8 @@ private:
     return sample.region == curve.region ? sample.level == curve.level - 1 : curve.level == 1;
   }
 
-  // A bump that rises more than half a spacing over its last curve gets a sample on its top: nothing else would cover it.
+  // A bump that rises more than half a spacing over its last curve gets a sample on its top: nothing else would cover
+  // it.
   void add_peaks()
   {
     const auto& s = m_segmentation;

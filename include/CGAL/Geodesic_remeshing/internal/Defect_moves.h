@@ -24,27 +24,28 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Removes irregular vertices. Most of them are pairs of a vertex of valence 5 and one of valence 7, the dislocations of a
-// triangular lattice: flips that leave the energy as it is let such a pair glide, and where it meets its opposite both
-// vanish. So from each irregular vertex sequences of flips that never raise the energy are searched, depth first and the
-// lowest energy first, until one lowers it. A lone pair has two such flips, one of which takes back the last one:
-// the search is nearly linear in its depth. What is found is kept if the vertices around can be relaxed to good triangles
-// that are still where the vertices were: else a few flips would cut off a horn that all steps before have kept.
+// Removes irregular vertices. Most of them are pairs of a vertex of valence 5 and one of valence 7, the dislocations of
+// a triangular lattice: flips that leave the energy as it is let such a pair glide, and where it meets its opposite
+// both vanish. So from each irregular vertex sequences of flips that never raise the energy are searched, depth first
+// and the lowest energy first, until one lowers it. A lone pair has two such flips, one of which takes back the last
+// one: the search is nearly linear in its depth. What is found is kept if the vertices around can be relaxed to good
+// triangles that are still where the vertices were: else a few flips would cut off a horn that all steps before have
+// kept.
 class Defect_moves
 {
 public:
   using Index = Lean_triangulation::Index;
 
-  // `tolerance` is how far, in the unit of the relative sizes, a vertex may be left off the triangles that take its place. With an
-  // effort above 1 the searches are that much longer, and may raise the energy on their way.
+  // `tolerance` is how far, in the unit of the relative sizes, a vertex may be left off the triangles that take its
+  // place. With an effort above 1 the searches are that much longer, and may raise the energy on their way.
   Defect_moves(Remeshed_surface& remeshed, const double tolerance, const std::size_t effort = 1)
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_stamp(m_table.vertex_slots(), 0),
       m_changed(m_table.vertex_slots(), 0), m_valence(m_table.vertex_slots(), 0), m_refusal(m_table.vertex_slots()),
       m_tolerance(tolerance), m_effort(effort), m_barrier(effort > 1 ? 6 : 0)
   {}
 
-  // One search from each irregular vertex; returns by how much the energy has fallen. Where nothing has been flipped since
-  // a search found nothing, none is made again.
+  // One search from each irregular vertex; returns by how much the energy has fallen. Where nothing has been flipped
+  // since a search found nothing, none is made again.
   int sweep(std::size_t depth);
 
 private:
@@ -264,7 +265,8 @@ inline bool Defect_moves::settle()
   return m_effort == 1 || !has_intersections_near(m_remeshed, m_zone);
 }
 
-// Whether the triangles around v or those beside them are near p, where v was: if not, a tip was cut off, or a hollow filled.
+// Whether the triangles around v or those beside them are near p, where v was: if not, a tip was cut off, or a hollow
+// filled.
 inline bool Defect_moves::covers(const Point& p, const Index v) const
 {
   const double limit = CGAL::square(m_tolerance * m_remeshed.spot(v).size);

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The place of a triangulation that is nearest to a point, sought downhill from face to face: it stays on the sheet where it
-// begins, and costs next to nothing where it begins near its end. `point_of(v)` tells where the vertices are.
+// The place of a triangulation that is nearest to a point, sought downhill from face to face: it stays on the sheet
+// where it begins, and costs next to nothing where it begins near its end. `point_of(v)` tells where the vertices are.
 template <class Point_of>
 class Downhill_search
 {

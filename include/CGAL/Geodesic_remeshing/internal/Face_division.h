@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// How curves divide the faces. Within a face every piece of a curve cuts off one corner, so the numbers of crossings on the
-// three edges tell all: pieces around corner i, innermost first, then the piece in the middle ("normal curves").
+// How curves divide the faces. Within a face every piece of a curve cuts off one corner, so the numbers of crossings on
+// the three edges tell all: pieces around corner i, innermost first, then the piece in the middle ("normal curves").
 //
 // An edge with k crossings has k + 1 intervals; the pieces of a face join intervals of its edges.
 class Face_division

@@ -29,9 +29,9 @@ struct Point_of_remeshed
   const Point& operator()(const Lean_triangulation::Index v) const { return remeshed->spot(v).point; }
 };
 
-// Which face of the triangulation each sample of the input is nearest to. The triangulation as a whole is never searched: a search
-// starts at the vertex that is nearest over the surface, later where the sample was; so two sheets that nearly touch do not take
-// each other's samples, and after a step only the samples around it are searched for.
+// Which face of the triangulation each sample of the input is nearest to. The triangulation as a whole is never
+// searched: a search starts at the vertex that is nearest over the surface, later where the sample was; so two sheets
+// that nearly touch do not take each other's samples, and after a step only the samples around it are searched for.
 class Fit_assignment
 {
 public:

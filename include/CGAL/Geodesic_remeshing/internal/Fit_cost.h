@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// What a deviation costs: its square, and well above the tolerance much more, so that the few large ones, of which the Hausdorff
-// distance is one, are worked at as well as the many small ones.
+// What a deviation costs: its square, and well above the tolerance much more, so that the few large ones, of which the
+// Hausdorff distance is one, are worked at as well as the many small ones.
 class Fit_cost
 {
 public:
@@ -67,8 +67,8 @@ struct Fit_system
     zz += weight * u.z() * u.z();
   }
 
-  // A deviation along the way to the nearest point, which the step changes by a share, the vertex' coordinate there. It is the
-  // nearest point that moves (sign 1) or the point it is nearest to (-1).
+  // A deviation along the way to the nearest point, which the step changes by a share, the vertex' coordinate there. It
+  // is the nearest point that moves (sign 1) or the point it is nearest to (-1).
   void add(const Nearest_in_triangle& nearest, const double sign, const double weight, const double share)
   {
     if(!(nearest.squared_distance > 0.))

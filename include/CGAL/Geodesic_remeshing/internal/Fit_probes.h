@@ -28,9 +28,9 @@ struct Point_of_surface
   const Point& operator()(const Lean_triangulation::Index v) const { return walker->surface().point(Vertex(v)); }
 };
 
-// How far the triangulation is from the input: at the centers of faces, the middles of edges and the vertices. Without them a
-// face that spans a hollow costs nothing, as no sample of the input is near it. Of each is kept where on the input it was nearest to
-// last: there the next search starts.
+// How far the triangulation is from the input: at the centers of faces, the middles of edges and the vertices. Without
+// them a face that spans a hollow costs nothing, as no sample of the input is near it. Of each is kept where on the
+// input it was nearest to last: there the next search starts.
 class Fit_probes
 {
 public:
@@ -65,7 +65,8 @@ public:
 
   // What the deviations at a face cost, its share of those on its edges and corners included.
   double face_cost(Index f, const Fit_cost& cost);
-  // The same of what a vertex changes when it moves; no more than something above the limit where it is above the limit.
+  // The same of what a vertex changes when it moves; no more than something above the limit where it is above the
+  // limit.
   double ring_cost(Index v, const Fit_cost& cost, double limit);
   void add_ring(Index v, const Fit_cost& cost, Fit_system& system);
   double largest_squared_distance(Index f);

@@ -28,8 +28,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Takes vertices out where they are needed least and puts as many in where steps alone do not help: at tips and in hollows that are
-// narrower than the triangles. A vertex in and one out are one trial, so that their number never changes.
+// Takes vertices out where they are needed least and puts as many in where steps alone do not help: at tips and in
+// hollows that are narrower than the triangles. A vertex in and one out are one trial, so that their number never
+// changes.
 class Fit_relocation
 {
 public:
@@ -39,7 +40,8 @@ public:
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_assignment(assignment), m_probes(probes), m_steps(steps)
   {}
 
-  // For the faces that deviate by more than `deviation`, those first that cost most. Returns the number of vertices relocated.
+  // For the faces that deviate by more than `deviation`, those first that cost most. Returns the number of vertices
+  // relocated.
   std::size_t run(double deviation);
 
   double largest_deviation();

@@ -33,8 +33,9 @@ inline double fit_badness()
   return badness;
 }
 
-// The steps that bring a triangulation nearer to the input: each moves a vertex, off the surface where it likes, or flips an edge, and
-// is taken back unless the deviations around cost less. Vertices on lines slide along them, corners stay.
+// The steps that bring a triangulation nearer to the input: each moves a vertex, off the surface where it likes, or
+// flips an edge, and is taken back unless the deviations around cost less. Vertices on lines slide along them, corners
+// stay.
 class Fit_steps
 {
 public:
@@ -87,8 +88,9 @@ public:
   void undo_to(const Mark& mark);
   void end_trial();
 
-  // More pull makes better triangles and a larger RMS distance. Of .02, .04, .06 and .08 on seven models the mean of the smallest angles was 48.4,
-  // 49.7, 50.4 and 50.9 degrees, the RMS distance .63, .69, .72 and .76 of the best of other remeshers.
+  // More pull makes better triangles and a larger RMS distance. Of .02, .04, .06 and .08 on seven models the mean of
+  // the smallest angles was 48.4, 49.7, 50.4 and 50.9 degrees, the RMS distance .63, .69, .72 and .76 of the best of
+  // other remeshers.
   static constexpr double usual_pull = .06;
 
 private:
@@ -309,7 +311,8 @@ inline bool Fit_steps::flip(const Index h)
   gather(std::array<Index, 2>{{Lean_triangulation::face(h), Lean_triangulation::face(m_table.opposite(h))}});
   constexpr double gain_of_energy = .05;
   double rest = gathered_cost() + flip_cost(h);
-  // What makes valences less regular must gain by it: without, twice as many vertices are irregular for 2 percent of the distance.
+  // What makes valences less regular must gain by it: without, twice as many vertices are irregular for 2 percent of
+  // the distance.
   rest -= gain_of_energy * m_remeshed.energy().of_flip(h) * rest;
   m_remeshed.record();
   const Remeshed_surface::Mark mark = m_remeshed.mark();

@@ -25,7 +25,8 @@ namespace internal {
 //  - as a new component of its own (the centre of a leaf),
 //  - along a bridge through a saddle (the meeting of two fronts), or
 //  - when its taken neighbours form exactly one arc, which changes nothing: a front moves on by one vertex.
-// Therefore what a front sweeps between two events is an annulus, and around a centre a disc, on a surface of any genus.
+// Therefore what a front sweeps between two events is an annulus, and around a centre a disc, on a surface of any
+// genus.
 class Fronts
 {
 public:
@@ -39,8 +40,8 @@ public:
   void take(Vertex v) { m_taken[v] = 1; }
 
   // Takes the vertices in their order where that moves a front without changing its topology, and where it is the right
-  // front: `is_own(w)` for a taken neighbour. A vertex where the front would meet itself or another waits until it can be
-  // taken. Calls `took(v)` for each vertex taken.
+  // front: `is_own(w)` for a taken neighbour. A vertex where the front would meet itself or another waits until it can
+  // be taken. Calls `took(v)` for each vertex taken.
   template <class Range, class IsOwn, class Took>
   void sweep(const Range& candidates, const IsOwn& is_own, const Took& took)
   {

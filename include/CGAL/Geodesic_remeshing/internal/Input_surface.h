@@ -58,8 +58,8 @@ std::size_t largest_index(const Range& range, const IndexMap& index)
   throw std::invalid_argument("geodesic remeshing: " + what);
 }
 
-// Appends the edges and faces of a graph to a mesh that has its vertices already: `copy[index of v]` is the copy of v. Takes the
-// connectivity over as it is, which is much faster than adding face by face.
+// Appends the edges and faces of a graph to a mesh that has its vertices already: `copy[index of v]` is the copy of v.
+// Takes the connectivity over as it is, which is much faster than adding face by face.
 template <class Graph, class VertexIndexMap, class HalfedgeIndexMap>
 void copy_connectivity(const Graph& graph, const VertexIndexMap& vertex_index, const HalfedgeIndexMap& halfedge_index,
                        std::size_t number_of_halfedge_indices, const std::vector<Vertex>& copy, Mesh& mesh)

@@ -84,7 +84,8 @@ inline std::size_t Intersection_repair::intersections_of_ring(const Index v) con
   return number;
 }
 
-// Takes the first step along an edge, forth or back, that leaves fewer intersections and good angles, until none are left.
+// Takes the first step along an edge, forth or back, that leaves fewer intersections and good angles, until none are
+// left.
 inline void Intersection_repair::move_apart(const Index v)
 {
   constexpr std::array<double, 6> steps = {{.1, -.1, .25, -.25, .5, -.5}};

@@ -39,8 +39,8 @@ inline Vector normal_of(const Remeshed_surface& remeshed, const Lean_triangulati
   return cross_product(t[1] - t[0], t[2] - t[0]);
 }
 
-// Whether two faces have more in common than their vertices. Two that share an edge do so only if one lies on the other, which
-// is a turned face.
+// Whether two faces have more in common than their vertices. Two that share an edge do so only if one lies on the
+// other, which is a turned face.
 inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_triangulation::Index f,
                                const Lean_triangulation::Index g)
 {
@@ -109,9 +109,9 @@ bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& ve
   return false;
 }
 
-// Finds the pairs of faces that intersect. Nearly all faces are near none but their neighbours, and of those that share no vertex with them nearly all are
-// parted by a plane between the two. So what is fast is to halve space where the faces are until few are left in each part, and
-// there to try the plane before asking for the exact answer.
+// Finds the pairs of faces that intersect. Nearly all faces are near none but their neighbours, and of those that share
+// no vertex with them nearly all are parted by a plane between the two. So what is fast is to halve space where the
+// faces are until few are left in each part, and there to try the plane before asking for the exact answer.
 class Intersection_search
 {
 public:

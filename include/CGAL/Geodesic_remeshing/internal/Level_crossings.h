@@ -95,8 +95,8 @@ private:
     }
   }
 
-  // From a vertex with this field and level to the end of its region (`outwards`), or the other way round. Positions are
-  // lengths from the start of the edge. Returns the length of the stretch.
+  // From a vertex with this field and level to the end of its region (`outwards`), or the other way round. Positions
+  // are lengths from the start of the edge. Returns the length of the stretch.
   double append_stretch(int r, double field, int level, bool at_bottom, bool outwards, double start,
                         std::vector<Crossing>& out) const
   {

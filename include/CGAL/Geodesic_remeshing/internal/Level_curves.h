@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// A point of a curve: on a halfedge, at source + position * (target - source). The way to the curve's next point lies in the
-// face of the halfedge, and the top of the region on the side of its source.
+// A point of a curve: on a halfedge, at source + position * (target - source). The way to the curve's next point lies
+// in the face of the halfedge, and the top of the region on the side of its source.
 struct Curve_point
 {
   Halfedge halfedge;

@@ -24,8 +24,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Vertices at even distances are as near to a smooth line as any; along one with bends or noise they are nearer to it where it
-// turns. So each slides, as far as the angles of its triangles allow, to where the edges on both sides leave the line least.
+// Vertices at even distances are as near to a smooth line as any; along one with bends or noise they are nearer to it
+// where it turns. So each slides, as far as the angles of its triangles allow, to where the edges on both sides leave
+// the line least.
 class Line_fit
 {
 public:
@@ -86,7 +87,8 @@ private:
     return CGAL::square(deviation(s, s.low, at)) + CGAL::square(deviation(s, at, s.high));
   }
 
-  // To the best of some places that leaves angles of 36 degrees, or as they are. Nothing moves for a gain of less than a sixth.
+  // To the best of some places that leaves angles of 36 degrees, or as they are. Nothing moves for a gain of less than
+  // a sixth.
   bool slide(const Index v)
   {
     constexpr std::array<double, 8> steps = {{-.2, .2, -.1, .1, -.05, .05, -.02, .02}};

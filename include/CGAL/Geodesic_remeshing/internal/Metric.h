@@ -20,9 +20,10 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// How long things are on a mesh with a sizing (paper, section 4). A vertex at which edges are to be h times as long as the mean has
-// the density 1/h, and a way counts its length times the density along it. Measured so, all edges of the wanted mesh are
-// equally long, and every stage is that for uniform meshes. The density is a property of the mesh; a mesh without it is uniform.
+// How long things are on a mesh with a sizing (paper, section 4). A vertex at which edges are to be h times as long as
+// the mean has the density 1/h, and a way counts its length times the density along it. Measured so, all edges of the
+// wanted mesh are equally long, and every stage is that for uniform meshes. The density is a property of the mesh; a
+// mesh without it is uniform.
 class Metric
 {
 public:

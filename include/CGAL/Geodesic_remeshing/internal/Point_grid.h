@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Points in hashed grids, for finding those near a point. Each point is in the grid of its own size, the cells of one being twice as
-// wide as those of the next, so that the distance between the points may change over the surface; where it does not there is but
-// one grid. Neighbours are visited in an order that depends on nothing but the points and the order of their insertion.
+// Points in hashed grids, for finding those near a point. Each point is in the grid of its own size, the cells of one
+// being twice as wide as those of the next, so that the distance between the points may change over the surface; where
+// it does not there is but one grid. Neighbours are visited in an order that depends on nothing but the points and the
+// order of their insertion.
 class Point_grid
 {
 public:
@@ -47,8 +48,8 @@ public:
     m_highest = (std::max)(m_highest, g.level);
   }
 
-  // Calls `visit(id, point, squared distance)` for the points within `radius` and no smaller or larger than a quarter and four
-  // times `size`; the radius must not exceed the width of the cells for that size.
+  // Calls `visit(id, point, squared distance)` for the points within `radius` and no smaller or larger than a quarter
+  // and four times `size`; the radius must not exceed the width of the cells for that size.
   template <class Visit>
   void near(const Point& p, double size, double radius, const Visit& visit) const
   {

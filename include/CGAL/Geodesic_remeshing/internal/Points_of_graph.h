@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The one place where the points of users meet those of the stages. It asks nothing of the former but what the geometric traits
-// tell of them, so that they may be of any type, and rounds coordinates to the nearest double.
+// The one place where the points of users meet those of the stages. It asks nothing of the former but what the
+// geometric traits tell of them, so that they may be of any type, and rounds coordinates to the nearest double.
 template <class Traits, class User_point>
 Point to_point(const Traits traits,
                const User_point& p) // a traits class is mostly empty, and g++ warns of references to such

@@ -177,8 +177,8 @@ inline bool Polish::better_by_collapse(const Index h)
   return keep_if_better(std::array<Index, 4>{{a, a, c, d}}, before);
 }
 
-// Between lines that are nearer to each other than their vertices there have to be more of these; and around a thin limb,
-// where three vertices are nearer to each other than the others, more of them along it.
+// Between lines that are nearer to each other than their vertices there have to be more of these; and around a thin
+// limb, where three vertices are nearer to each other than the others, more of them along it.
 inline bool Polish::better_by_split(const Index h)
 {
   Remeshed_surface::Spot middle;

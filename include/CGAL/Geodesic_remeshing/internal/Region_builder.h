@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Builds the regions of a segmentation one by one. The sweep over the distance D (`region_sweep.h`) tells the events: where a
-// leaf begins, and where fronts meet. Here are the tops: centres, and the bridges through saddles.
+// Builds the regions of a segmentation one by one. The sweep over the distance D (`region_sweep.h`) tells the events:
+// where a leaf begins, and where fronts meet. Here are the tops: centres, and the bridges through saddles.
 class Region_builder
 {
 public:
@@ -99,8 +99,8 @@ public:
     return opened;
   }
 
-  // The last region of a connected component, around its root. `open` are the regions still open there; those that do not
-  // reach the root (a pocket behind a bridge) are filled on their own.
+  // The last region of a connected component, around its root. `open` are the regions still open there; those that do
+  // not reach the root (a pocket behind a bridge) are filled on their own.
   void finish(Vertex root, const std::vector<int>& open)
   {
     int main = open.front();
@@ -116,9 +116,9 @@ public:
   int open_root_below_leaf(int leaf) { return m_growth.open_root_below_leaf(leaf); }
 
 private:
-  // A vertex of a bridge lies on the bottom of the region above and on the top of the one below. Where fronts merge it counts
-  // as part of the region that the bridge ends at; where a front splits that would close that region to a ring around
-  // nothing, so it counts as part of the first region below, which `open_below` is about to add.
+  // A vertex of a bridge lies on the bottom of the region above and on the top of the one below. Where fronts merge it
+  // counts as part of the region that the bridge ends at; where a front splits that would close that region to a ring
+  // around nothing, so it counts as part of the first region below, which `open_below` is about to add.
   void put_on_bridge(Vertex v, int above, int beside, bool splits)
   {
     const Region& region = m_result.regions[above];
@@ -132,8 +132,8 @@ private:
     m_result.level[v] = region.number_of_levels + 1; // outside of all curves of the region above
   }
 
-  // Where a front splits, the vertices of the bridge have a region below on either side. They count to the first of them, or
-  // where the bridge leaves no room for that one, to the other.
+  // Where a front splits, the vertices of the bridge have a region below on either side. They count to the first of
+  // them, or where the bridge leaves no room for that one, to the other.
   int region_beside(Vertex v, const std::vector<int>& opened, int otherwise) const
   {
     for(int r : opened)

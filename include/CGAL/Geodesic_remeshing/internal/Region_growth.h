@@ -28,8 +28,8 @@ namespace internal {
 // `Region_builder`.
 //
 // A region is *open* from the event that begins it to the one that ends it. Only then is its height known and its
-// local distance marched, from its top and no further than to the level of the ending event: so the sum over all regions
-// is about one pass over the surface.
+// local distance marched, from its top and no further than to the level of the ending event: so the sum over all
+// regions is about one pass over the surface.
 class Region_growth
 {
 public:
@@ -243,8 +243,8 @@ private:
       take_region(r, region.height);
   }
 
-  // Two fronts that begin on the two sides of one bridge must not march over it: marks the surface from the one front down to
-  // the level of the saddle, by a flood over edges of the mesh.
+  // Two fronts that begin on the two sides of one bridge must not march over it: marks the surface from the one front
+  // down to the level of the saddle, by a flood over edges of the mesh.
   bool mark_side(int r, Vertex saddle)
   {
     if(open[r].side.empty())

@@ -59,8 +59,8 @@ public:
   Valence_energy& energy() { return m_energy; }
   const Valence_energy& energy() const { return m_energy; }
 
-  // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere; one that can be sent
-  // elsewhere, if it finds good triangles there.
+  // A vertex that has to stay where it is; one that may slide if it is not; one that may go anywhere; one that can be
+  // sent elsewhere, if it finds good triangles there.
   bool is_fixed(const Index v) const { return m_hold[v] == Hold::corner || m_hold[v] == Hold::tip; }
   bool has_lines() const { return m_has_lines; }
   const Line_walker& lines() const { return m_lines; }
@@ -88,8 +88,8 @@ public:
     return {m_walker.point(place), place, m_walker.normal_on_line(place), m_metric.size(place)};
   }
   bool find_middle(Index h, Spot& middle) const; // of an edge, on its line if it is on one
-  // Tips are pinned, then kept on a leash: a vertex that nothing can move stops the pairs of irregular vertices that glide,
-  // one that is free leaves its tip and does not come back. Where nothing else helps they are let go.
+  // Tips are pinned, then kept on a leash: a vertex that nothing can move stops the pairs of irregular vertices that
+  // glide, one that is free leaves its tip and does not come back. Where nothing else helps they are let go.
   void pin_tip(const Index v) { m_hold[v] = Hold::tip; }
   void keep_tips_on_leash(double length); // times the relative size of the edges
   void let_go(const Index v) { m_hold[v] = m_hold[v] == Hold::corner ? Hold::corner : Hold::none; }
@@ -111,7 +111,8 @@ public:
 
   double badness(Index u, Index v, Index w) const;
   double ring_badness(const Index v) const { return ring_badness(v, m_spots[v], infinity); }
-  // That of the ring if its center were at `spot`, turned where it may not be; no more than something above the limit where it is above the limit.
+  // That of the ring if its center were at `spot`, turned where it may not be; no more than something above the limit
+  // where it is above the limit.
   double ring_badness(Index v, const Spot& spot, double limit) const;
   Vector way_to_center_of_neighbors(Index v) const;
   template <class Visit>

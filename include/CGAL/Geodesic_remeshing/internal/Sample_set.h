@@ -43,17 +43,17 @@ public:
     m_samples.push_back(sample);
   }
 
-  // A sample is refused where another is nearer than half an edge length: rows of samples where two curves almost touch only
-  // make needles. On one curve samples keep their own distance, which in a thin tube may be smaller: those from `first_of_curve`
-  // on do not count. Beside lines there must be room for triangles.
+  // A sample is refused where another is nearer than half an edge length: rows of samples where two curves almost touch
+  // only make needles. On one curve samples keep their own distance, which in a thin tube may be smaller: those from
+  // `first_of_curve` on do not count. Beside lines there must be room for triangles.
   bool is_free(const Sample& sample, std::size_t first_of_curve)
   {
     return !(sample.distance_from_lines < room_beside_lines * m_edge_length) &&
            is_free(sample.face, sample.point, sample.size, first_of_curve);
   }
 
-  // Samples on another sheet, however near, do no harm, if it is another one as far as the triangles to come reach: around a limb
-  // or the rim of a fin they do.
+  // Samples on another sheet, however near, do no harm, if it is another one as far as the triangles to come reach:
+  // around a limb or the rim of a fin they do.
   bool is_free(Face f, const Point& p, double size, std::size_t first_of_curve)
   {
     bool free = true;

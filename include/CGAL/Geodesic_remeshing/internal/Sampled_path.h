@@ -35,7 +35,8 @@ struct Path_point
   double position;
 };
 
-// A polyline on the working surface, measured in its metric, and the samples on it: one path at a time, in memory used again.
+// A polyline on the working surface, measured in its metric, and the samples on it: one path at a time, in memory used
+// again.
 class Sampled_path
 {
 public:

@@ -29,8 +29,8 @@ enum class Region_kind {
 
 namespace internal {
 
-// Notation of the paper, section 5. Fronts start at the maxima of the distance D from the root and sweep down. A region is
-// what one front covers between two events: from its *top* (a centre, or the spectacles of its children's fronts) to
+// Notation of the paper, section 5. Fronts start at the maxima of the distance D from the root and sweep down. A region
+// is what one front covers between two events: from its *top* (a centre, or the spectacles of its children's fronts) to
 // its *bottom*, a whole number of curve distances further on.
 struct Region
 {

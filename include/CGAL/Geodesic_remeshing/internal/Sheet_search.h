@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Are two points that are near in space near on the surface, too, or on two sheets of it? A search over the faces in a ball
-// around the first tells, whatever directions the sheets face.
+// Are two points that are near in space near on the surface, too, or on two sheets of it? A search over the faces in a
+// ball around the first tells, whatever directions the sheets face.
 class Sheet_search
 {
 public:

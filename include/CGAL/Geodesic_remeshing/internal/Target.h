@@ -86,8 +86,8 @@ std::size_t number_of_vertices_for(const Target& target, const Mesh& surface)
   }
 }
 
-// The fewest vertices that a closed surface of this Euler characteristic can be triangulated with: at most n (n - 1) / 2
-// edges fit between n vertices (Heawood), which is attained but for genus 2, where it takes ten (Jungerman, Ringel).
+// The fewest vertices that a closed surface of this Euler characteristic can be triangulated with: at most n (n - 1) /
+// 2 edges fit between n vertices (Heawood), which is attained but for genus 2, where it takes ten (Jungerman, Ringel).
 inline std::size_t fewest_vertices(std::ptrdiff_t euler_characteristic)
 {
   if(euler_characteristic == -2)

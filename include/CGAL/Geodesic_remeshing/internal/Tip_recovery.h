@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Steps towards the centre of the neighbours shorten tips: horns, ears, claws, and dents as well. Where a vertex of the input
-// is farther from the triangulation than its neighbours and than a tolerance, the nearest vertex is sent there and stays,
-// provided that the triangles around can be made good.
+// Steps towards the centre of the neighbours shorten tips: horns, ears, claws, and dents as well. Where a vertex of the
+// input is farther from the triangulation than its neighbours and than a tolerance, the nearest vertex is sent there
+// and stays, provided that the triangles around can be made good.
 class Tip_recovery
 {
 public:
@@ -69,8 +69,8 @@ inline bool Tip_recovery::is_tip(const Index x) const
   return is_farthest;
 }
 
-// Sends the nearest vertex v or, where that has to stay or finds no good place, the nearest of its neighbours. To try more of them was
-// measured to keep no more tips, and to leave more intersections at small numbers of vertices.
+// Sends the nearest vertex v or, where that has to stay or finds no good place, the nearest of its neighbours. To try
+// more of them was measured to keep no more tips, and to leave more intersections at small numbers of vertices.
 inline bool Tip_recovery::send_one_of(const Index v, const Index x)
 {
   if(m_remeshed.can_be_sent(v) && send(v, x))

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Searches from a saddle over the vertices above it, up to the fronts that have come down that far. Between them there is
-// nothing but what one front has still to sweep.
+// Searches from a saddle over the vertices above it, up to the fronts that have come down that far. Between them there
+// is nothing but what one front has still to sweep.
 class Uphill_search
 {
 public:
@@ -58,7 +58,8 @@ public:
     forget();
   }
 
-  // The shortest way along edges from the saddle through one arc of its neighbours to a front: free vertices, then a taken one.
+  // The shortest way along edges from the saddle through one arc of its neighbours to a front: free vertices, then a
+  // taken one.
   std::vector<Vertex> way_to_front(Vertex saddle, const std::vector<Vertex>& arc,
                                    const std::vector<std::vector<Vertex>>& other_ways)
   {

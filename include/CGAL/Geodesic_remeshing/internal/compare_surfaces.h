@@ -90,7 +90,8 @@ public:
   {
     const Bbox_3 box = Polygon_mesh_processing::bbox(input);
     m_diagonal = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
-    // A face of hardly any area has no plane to project on: the tree would tell any distance. It is nowhere far from its edges.
+    // A face of hardly any area has no plane to project on: the tree would tell any distance. It is nowhere far from
+    // its edges.
     std::vector<Face> solid;
     std::vector<Edge> edges_of_others;
     for(Face f : input.faces())

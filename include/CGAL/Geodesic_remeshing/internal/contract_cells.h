@@ -153,7 +153,8 @@ private:
     return false;
   }
 
-  // What is left on a line is in the way of its edges: where a separating triangle keeps it from going, flips open that.
+  // What is left on a line is in the way of its edges: where a separating triangle keeps it from going, flips open
+  // that.
   bool contract_along_line(Vertex v)
   {
     if(!m_is_on_line[v])

@@ -75,8 +75,8 @@ inline std::vector<double> mean_of_neighbours(const Mesh& surface, const std::ve
   return result;
 }
 
-// The combination of Gaussian and mean curvature at each vertex, in the unit of an inverse length. Where faces have no area the
-// estimate means nothing, and the neighbours tell.
+// The combination of Gaussian and mean curvature at each vertex, in the unit of an inverse length. Where faces have no
+// area the estimate means nothing, and the neighbours tell.
 inline std::vector<double> combined_curvatures(Mesh& surface, const Curvature_weights& weights)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -97,16 +97,18 @@ inline std::vector<double> combined_curvatures(Mesh& surface, const Curvature_we
   return result;
 }
 
-// The magnifying function: the length for a curvature in units of its mean. Measured on seven models at 5,000 vertices, contrast 0.5 and these
-// constants give nearly the least RMS distance: a larger exponent takes from the flat parts more than the bent ones gain, a smaller
-// lower end (.05 to .2) or none at the upper one (needles of high curvature, mostly noise) costs up to a twentieth.
-// There is little more to gain. Where the deviation is the curvature k times the square of the length, no sizing makes the RMS distance
-// of the uniform mesh smaller than by the factor (integral of k^(2/3))^(3/2) / (area * sqrt(integral of k^2)): Hoelder's
-// inequality, attained by lengths that go as k^(-1/3). With the curvature used here that is 0.70 on homer, 0.75 on bear, 0.65 on dino,
-// 0.83 on armadillo, whose curvature is nearly even, and 0.85 on hand; 0.65, 0.70, 0.74, 0.86 and 0.85 were reached (homer and bear
-// gain beside that because the uniform mesh loses detail). On ten models at 2,000 to 10,000 vertices other combinations (the root of the
-// squares, that of both principal curvatures), averages with the sign or over an edge length, none or three of them, exponents
-// from .5 to .8 and other ends all came within two percent on average. Only a larger gradation gains more, .2 three percent, and costs angles.
+// The magnifying function: the length for a curvature in units of its mean. Measured on seven models at 5,000 vertices,
+// contrast 0.5 and these constants give nearly the least RMS distance: a larger exponent takes from the flat parts more
+// than the bent ones gain, a smaller lower end (.05 to .2) or none at the upper one (needles of high curvature, mostly
+// noise) costs up to a twentieth. There is little more to gain. Where the deviation is the curvature k times the square
+// of the length, no sizing makes the RMS distance of the uniform mesh smaller than by the factor (integral of
+// k^(2/3))^(3/2) / (area * sqrt(integral of k^2)): Hoelder's inequality, attained by lengths that go as k^(-1/3). With
+// the curvature used here that is 0.70 on homer, 0.75 on bear, 0.65 on dino, 0.83 on armadillo, whose curvature is
+// nearly even, and 0.85 on hand; 0.65, 0.70, 0.74, 0.86 and 0.85 were reached (homer and bear gain beside that because
+// the uniform mesh loses detail). On ten models at 2,000 to 10,000 vertices other combinations (the root of the
+// squares, that of both principal curvatures), averages with the sign or over an edge length, none or three of them,
+// exponents from .5 to .8 and other ends all came within two percent on average. Only a larger gradation gains more, .2
+// three percent, and costs angles.
 inline double length_for_curvature(double curvature, double contrast)
 {
   constexpr double flattest = .3, most_bent = 4., exponent = -.8;

@@ -97,8 +97,8 @@ private:
   std::vector<char> m_is_used;
 };
 
-// The working surface itself where no line is inside it, else `cut`; or `cut` in any case, for who needs it after the strips,
-// which use the working surface up. `is_corner` is continued for the new vertices.
+// The working surface itself where no line is inside it, else `cut`; or `cut` in any case, for who needs it after the
+// strips, which use the working surface up. `is_corner` is continued for the new vertices.
 inline const Working_surface& cut_along_lines(const Working_surface& working, std::vector<char>& is_corner,
                                               Working_surface& cut, bool is_copy_wanted = false)
 {

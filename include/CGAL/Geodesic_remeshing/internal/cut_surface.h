@@ -121,8 +121,8 @@ private:
     add_piece(value, passage, edge != 2);
   }
 
-  // A piece of a face with this value, but for a passage of another region between the middles of two arcs: in the order of
-  // the polygon that is what lies from the first to the second of them, or the rest.
+  // A piece of a face with this value, but for a passage of another region between the middles of two arcs: in the
+  // order of the polygon that is what lies from the first to the second of them, or the rest.
   void add_piece(int value, int passage, bool passage_is_inner)
   {
     const auto is_middle = [this](Vertex v) {
@@ -157,8 +157,8 @@ private:
   std::vector<Vertex> m_polygon;
 };
 
-// The segmentation with nothing left in it but the bottoms of the regions that have a height: regions that degenerate to
-// their tops are part of the region below.
+// The segmentation with nothing left in it but the bottoms of the regions that have a height: regions that degenerate
+// to their tops are part of the region below.
 inline Segmentation region_boundaries(const Segmentation& segmentation)
 {
   Segmentation result = segmentation;

@@ -21,11 +21,10 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Makes the triangles between the samples Delaunay: an edge is flipped when the two triangles beside it, unfolded into a
-// plane, are not. That is decided by an exact predicate, so that of the two diagonals of a pair never both look wrong. Lengths
-// are those of the mesh's metric. On
-// a curved surface the flipped edge is shorter than the unfolded one, and the flips need not come to an end by themselves:
-// their number is bounded.
+// Makes the triangles between the samples Delaunay: an edge is flipped when the two triangles beside it, unfolded into
+// a plane, are not. That is decided by an exact predicate, so that of the two diagonals of a pair never both look
+// wrong. Lengths are those of the mesh's metric. On a curved surface the flipped edge is shorter than the unfolded one,
+// and the flips need not come to an end by themselves: their number is bounded.
 class Delaunay_flipper
 {
 public:

@@ -151,8 +151,8 @@ inline std::vector<Vertex> outermost_vertices(const Mesh& mesh, const Components
   return result;
 }
 
-// For every connected component a vertex at one of its far ends, in the order of the components' first vertices: what a root
-// needs. Begun at an outermost vertex and content with one percent, the search takes two or three runs.
+// For every connected component a vertex at one of its far ends, in the order of the components' first vertices: what a
+// root needs. Begun at an outermost vertex and content with one percent, the search takes two or three runs.
 inline std::vector<Vertex> farthest_roots(const Mesh& mesh, Fast_marching& marching)
 {
   const Components components(marching.triangulation());

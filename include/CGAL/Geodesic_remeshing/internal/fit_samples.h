@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// A point of the input that the fitted mesh shall come near to, with the normal and the face there, and the area it stands for.
+// A point of the input that the fitted mesh shall come near to, with the normal and the face there, and the area it
+// stands for.
 struct Fit_sample
 {
   Point point;
@@ -32,9 +33,9 @@ struct Fit_sample
   double weight;
 };
 
-// Points spread evenly over the faces of the input, one for each `area` in the metric, and its vertices: a surface of flat faces is
-// farthest from another one at a vertex of one of the two, or nearly so. Within a face the places are those of the
-// sequence of the generalised golden ratio, so that they are even and the same in each run.
+// Points spread evenly over the faces of the input, one for each `area` in the metric, and its vertices: a surface of
+// flat faces is farthest from another one at a vertex of one of the two, or nearly so. Within a face the places are
+// those of the sequence of the generalised golden ratio, so that they are even and the same in each run.
 inline std::vector<Fit_sample> make_fit_samples(const Surface_walker& walker, const Metric& metric, const double area)
 {
   constexpr double golden = .7548776662466927, golden_squared = .5698402909980532;

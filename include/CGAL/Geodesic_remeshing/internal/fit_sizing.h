@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// A mesh that is to be near to the surface, and of which nobody has told how long its edges are to be, has short ones where the
-// surface bends (paper, section 4): as many vertices as a uniform one has, its RMS distance a sixth to a third less.
+// A mesh that is to be near to the surface, and of which nobody has told how long its edges are to be, has short ones
+// where the surface bends (paper, section 4): as many vertices as a uniform one has, its RMS distance a sixth to a
+// third less.
 template <class Target>
 Goal set_goal_of_fit(const Target& target, Mesh& surface)
 {

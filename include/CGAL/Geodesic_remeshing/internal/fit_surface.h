@@ -33,7 +33,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// From so many times the root mean square on a deviation is a place that needs another vertex. The smaller, the more valences are irregular.
+// From so many times the root mean square on a deviation is a place that needs another vertex. The smaller, the more
+// valences are irregular.
 constexpr double too_large_deviation = 6.;
 
 // How near a fitted mesh has come, in both directions
@@ -49,7 +50,8 @@ inline void pin_corners(const Mesh& surface, const Constraints& constraints, Pla
     mesh.pinned[v] = is_at_corner(surface, constraints, mesh.place[v]);
 }
 
-// Leaves nothing below the angle promised and nothing that intersects, where that can be had by steps back to the surface and along it.
+// Leaves nothing below the angle promised and nothing that intersects, where that can be had by steps back to the
+// surface and along it.
 inline void mend_fit(Remeshed_surface& remeshed)
 {
   constexpr int rounds = 3;
@@ -60,8 +62,8 @@ inline void mend_fit(Remeshed_surface& remeshed)
     ;
 }
 
-// Where two sheets are nearer to each other than the steps are long one may pierce the other. The vertices there go back to the
-// surface, where the sheets are apart, and stay on it.
+// Where two sheets are nearer to each other than the steps are long one may pierce the other. The vertices there go
+// back to the surface, where the sheets are apart, and stay on it.
 inline void hold_what_intersects(Remeshed_surface& remeshed, Fit_steps& steps)
 {
   const Lean_triangulation& table = remeshed.connectivity();
@@ -86,7 +88,8 @@ bool run_fit(Remeshed_surface& remeshed, Fit_steps& steps, Fit_relocation& reloc
 {
   // With 20 rounds the distances are 2 percent less.
   constexpr int rounds = 9, plain_rounds = 3;
-  // Deviations count as large from so many times the root mean square on. The smaller, the more of the angles is spent on the largest.
+  // Deviations count as large from so many times the root mean square on. The smaller, the more of the angles is spent
+  // on the largest.
   constexpr double large = 4.;
   for(int round = 0; round < rounds; ++round)
   {
@@ -119,7 +122,8 @@ inline std::vector<Lean_triangulation::Index> intersecting_faces(const Remeshed_
 inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, const Remeshed_surface& fitted,
                           const Remeshed_surface& start, const double edge_length, std::vector<char>& is_frozen)
 {
-  // With 1 and 2 edge lengths more is frozen than need be: Hausdorff distances of dino and camel are a quarter to a half larger.
+  // With 1 and 2 edge lengths more is frozen than need be: Hausdorff distances of dino and camel are a quarter to a
+  // half larger.
   const double radius = .5 * edge_length;
   Point_grid grid(radius, 3 * faces.size());
   for(const Lean_triangulation::Index f : faces)
@@ -137,9 +141,10 @@ inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, c
   }
 }
 
-// Brings a remeshed surface as near to the input as its number of vertices and angles of 30 degrees allow. Its vertices leave the
-// surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning false. Where the
-// result intersects itself more than the mesh that came, all is done again without those parts, twice at most.
+// Brings a remeshed surface as near to the input as its number of vertices and angles of 30 degrees allow. Its vertices
+// leave the surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning
+// false. Where the result intersects itself more than the mesh that came, all is done again without those parts, twice
+// at most.
 template <class Progress>
 Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, const double edge_length, Placed_mesh& out,
                        const Progress& go_on)

@@ -42,8 +42,8 @@ struct Improvement_parameters
   bool use_defect_moves = true;
 };
 
-// Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what it
-// does, the number of vertices is set.
+// Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what
+// it does, the number of vertices is set.
 template <class Progress>
 bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
@@ -59,8 +59,8 @@ bool make_regular(Remeshed_surface& remeshed, const Improvement_parameters& para
   return true;
 }
 
-// Returns the quadrics, which serve for the steps to come. They may be those from before vertices were sent: where these are
-// now they stay.
+// Returns the quadrics, which serve for the steps to come. They may be those from before vertices were sent: where
+// these are now they stay.
 inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const double tolerance)
 {
   const Nearest_vertices nearest(remeshed);
@@ -71,8 +71,8 @@ inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const doubl
 }
 
 // Sweeps of defect moves until they gain next to nothing, since each costs two rounds of steps over the whole mesh. The
-// short ways come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps are
-// what the angles live on.
+// short ways come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps
+// are what the angles live on.
 template <class Progress>
 bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const std::size_t first_depth,
                     const std::vector<Quadric>& planes, const Progress& go_on)
@@ -95,9 +95,9 @@ bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const std:
   return true;
 }
 
-// On a mesh of few vertices limbs are as thick as edges are long: a tenth of the vertices is irregular, each near to others, and
-// what parts them takes longer searches. There is time for these: the whole takes a quarter of a second at 1,000 vertices.
-// Lines leave the searches less freedom, and are followed less evenly after them.
+// On a mesh of few vertices limbs are as thick as edges are long: a tenth of the vertices is irregular, each near to
+// others, and what parts them takes longer searches. There is time for these: the whole takes a quarter of a second at
+// 1,000 vertices. Lines leave the searches less freedom, and are followed less evenly after them.
 inline bool is_small(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
 {
   return number_of_vertices <= 4000 && !remeshed.has_lines();
@@ -110,8 +110,8 @@ inline std::size_t search_effort(const Remeshed_surface& remeshed, const std::si
              : 1;
 }
 
-// Takes out or divides what flips and steps cannot mend, and puts as many vertices in or takes them out elsewhere; last, only moves and flips.
-// Returns whether anything was to be done.
+// Takes out or divides what flips and steps cannot mend, and puts as many vertices in or takes them out elsewhere;
+// last, only moves and flips. Returns whether anything was to be done.
 inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
   for(int round = 0; round < 3; ++round)
@@ -135,15 +135,16 @@ inline void part_intersections(Remeshed_surface& remeshed)
       break;
 }
 
-// Tips and defects hinder each other: a pinned tip stops the pairs that glide, and the steps between their sweeps shorten
-// the tips. So the tips are sought first, when a lost one is still near, and hold what is around them while the first sweeps
-// mend it; sought again, as the last sweeps start from what is around them but move them too; and in the end only those
-// are sent back that were lost by much.
+// Tips and defects hinder each other: a pinned tip stops the pairs that glide, and the steps between their sweeps
+// shorten the tips. So the tips are sought first, when a lost one is still near, and hold what is around them while the
+// first sweeps mend it; sought again, as the last sweeps start from what is around them but move them too; and in the
+// end only those are sent back that were lost by much.
 template <class Progress>
 bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improvement_parameters& parameters,
                                      const Progress& go_on)
 {
-  // Below the first a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than good.
+  // Below the first a deviation is that of any triangle on a curved surface; at .15 the tips sent did more harm than
+  // good.
   const double tolerance = .35 * parameters.edge_length, last_tolerance = .45 * parameters.edge_length;
   const double leash = .3 * parameters.edge_length;
   const std::size_t effort = search_effort(remeshed, parameters.number_of_vertices);
@@ -200,10 +201,11 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
 }
 
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
-// vertices the one asked for. Of the pinned vertices corners stay where they are and the others near, the topology stays what it is, every vertex stays on
-// the surface, and every edge that is `constrained` on its line: a vertex with such edges that is not pinned slides along them.
-// Of the `constraints` the corners tell where lines end. `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is
-// a valid mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
+// vertices the one asked for. Of the pinned vertices corners stay where they are and the others near, the topology
+// stays what it is, every vertex stays on the surface, and every edge that is `constrained` on its line: a vertex with
+// such edges that is not pinned slides along them. Of the `constraints` the corners tell where lines end.
+// `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is a valid
+// mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
 // Without iterations only the number of vertices is set, to show what the stages before made.
 template <class Progress>
 void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,

@@ -51,8 +51,8 @@ template <class T, std::size_t n>
 struct is_array_of_numbers<std::array<T, n>> : std::is_floating_point<T>
 {};
 
-// The value at barycentric coordinates over a triangle with these values at its corners: a mean where there is such a thing, the value
-// of the corner with the largest coordinate where there is not.
+// The value at barycentric coordinates over a triangle with these values at its corners: a mean where there is such a
+// thing, the value of the corner with the largest coordinate where there is not.
 template <class Value, class T>
 Value interpolate(const T& a, const T& b, const T& c, const Barycentric_coordinates& at)
 {

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// A named parameter that a function does not know would be ignored: `contrast(1)` given to the remeshing and not to the sizing field,
-// a map of the output given for the input. All that can be known when compiling, so it is an error there.
+// A named parameter that a function does not know would be ignored: `contrast(1)` given to the remeshing and not to the
+// sizing field, a map of the output given for the input. All that can be known when compiling, so it is an error there.
 
 template <class... Tags>
 struct Known_parameters
@@ -65,8 +65,8 @@ using Parameters_of_mesh =
     Known_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
                      internal_np::halfedge_index_t, internal_np::face_index_t>;
 
-// Those of the remeshing, which are most, have their list here; other functions name what they have beside those of a mesh. A new
-// parameter is added where it belongs.
+// Those of the remeshing, which are most, have their list here; other functions name what they have beside those of a
+// mesh. A new parameter is added where it belongs.
 using Parameters_of_remeshing =
     Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
                             internal_np::face_patch_t, internal_np::features_angle_bound_t, internal_np::sizing_field_t,

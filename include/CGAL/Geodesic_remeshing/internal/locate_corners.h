@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// At an edge or a vertex a walk may begin in any of the faces there: in the one from which it comes nearest to where it is to go.
+// At an edge or a vertex a walk may begin in any of the faces there: in the one from which it comes nearest to where it
+// is to go.
 inline Place walk_into(const Surface_walker& walker, const Place& from, const Vector& way)
 {
   const Point goal = walker.point(from) + way;
@@ -52,7 +53,8 @@ inline Place towards_centre(const Surface_walker& walker, const std::array<Place
   return walk_into(walker, corners[i], part * to_centre);
 }
 
-// Finds the input faces that an output face lies over, by walking on the input surface from its corners, whose places are known.
+// Finds the input faces that an output face lies over, by walking on the input surface from its corners, whose places
+// are known.
 template <class TriangleMesh>
 class Corner_locator
 {

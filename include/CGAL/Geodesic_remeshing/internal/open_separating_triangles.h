@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// An edge can be contracted if its ends have no common neighbours but those in its faces. Flips the edges from the source of
-// h to the others, where no line and no edge that is there already is in the way.
+// An edge can be contracted if its ends have no common neighbours but those in its faces. Flips the edges from the
+// source of h to the others, where no line and no edge that is there already is in the way.
 template <class IsLine>
 void open_separating_triangles(Mesh& mesh, Halfedge h, const IsLine& is_line)
 {

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The sum of the squared distances from the planes of some faces, as a function of the displacement d of a vertex from a
-// fixed point, without its constant: d A d - 2 b d. The weights are the faces' areas.
+// The sum of the squared distances from the planes of some faces, as a function of the displacement d of a vertex from
+// a fixed point, without its constant: d A d - 2 b d. The weights are the faces' areas.
 struct Quadric
 {
   Point from;
@@ -42,7 +42,8 @@ struct Quadric
     weight += area;
   }
 
-  // The way from a point to the least of the quadric plus `pull` times the weight times the squared distance from its `way`.
+  // The way from a point to the least of the quadric plus `pull` times the weight times the squared distance from its
+  // `way`.
   Vector least(const Point& at, const Vector& way, const double pull) const
   {
     const Vector moved = at - from;
@@ -90,8 +91,8 @@ inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed, const Nea
   return result;
 }
 
-// Where the input is coarser than the triangulation most vertices are the nearest of none of the input's. Then the planes at
-// the neighbours tell where its edges are: a vertex beside one comes to lie on it.
+// Where the input is coarser than the triangulation most vertices are the nearest of none of the input's. Then the
+// planes at the neighbours tell where its edges are: a vertex beside one comes to lie on it.
 inline Quadric quadric_of_neighbors(const Remeshed_surface& remeshed, const Lean_triangulation::Index v)
 {
   const Remeshed_surface::Spot& spot = remeshed.spot(v);
@@ -106,16 +107,16 @@ inline Quadric quadric_of_neighbors(const Remeshed_surface& remeshed, const Lean
   return quadric;
 }
 
-// Steps as those of `relax()`, but held back where they would leave the planes of the input: along a ridge, into a dent.
-// Where the surface is flat the two are the same. The quadrics may be those of some steps ago: the planes near a vertex stay
-// nearly the same ones, and to find them takes a pass over the whole input.
+// Steps as those of `relax()`, but held back where they would leave the planes of the input: along a ridge, into a
+// dent. Where the surface is flat the two are the same. The quadrics may be those of some steps ago: the planes near a
+// vertex stay nearly the same ones, and to find them takes a pass over the whole input.
 inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Quadric>& quadric)
 {
-  // The smaller, the better is the surface kept and the worse are the triangles. Of .15, .3 and .6 this one has nearly the
-  // Hausdorff distances of the first and the mean angles of the last.
+  // The smaller, the better is the surface kept and the worse are the triangles. Of .15, .3 and .6 this one has nearly
+  // the Hausdorff distances of the first and the mean angles of the last.
   constexpr double pull = .3;
-  // Planes of neighbours are fewer and farther away: at .3, .6 and 1.2 the RMS distance of eight inputs coarser than the result
-  // was 11, 9 and 7 percent less than without, and the mean angle 1.3, .6 and .1 degrees.
+  // Planes of neighbours are fewer and farther away: at .3, .6 and 1.2 the RMS distance of eight inputs coarser than
+  // the result was 11, 9 and 7 percent less than without, and the mean angle 1.3, .6 and .1 degrees.
   constexpr double pull_among_neighbors = 1.;
   const Lean_triangulation& table = remeshed.connectivity();
   for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v)

@@ -64,7 +64,8 @@ public:
 private:
   using Coordinates = std::array<double, 3>;
 
-  // The side of a working face that the place is farthest beyond, in the coordinates of the input face; none if it is inside
+  // The side of a working face that the place is farthest beyond, in the coordinates of the input face; none if it is
+  // inside
   Halfedge side_facing(Face f, const Place& place) const
   {
     const Mesh& mesh = m_working.mesh;

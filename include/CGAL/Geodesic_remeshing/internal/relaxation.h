@@ -19,17 +19,17 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Steps that make no angle smaller than this one need not ask whether they make one smaller than it was: angles up to here
-// may be spent on evenness, which pays back in the mean.
+// Steps that make no angle smaller than this one need not ask whether they make one smaller than it was: angles up to
+// here may be spent on evenness, which pays back in the mean.
 inline double tolerated_badness()
 {
   static const double badness = badness_of_angle(36.);
   return badness;
 }
 
-// Moves a vertex the given way, or if this spoils the ring by .4 or .16 of it. Most steps leave the ring good, so what it was
-// is asked last. The way is made 1.3 times as long, which evens a mesh out in fewer rounds; but not with a sizing or on lines:
-// there what the steps lead to when nothing moves any more is not quite the lengths wished.
+// Moves a vertex the given way, or if this spoils the ring by .4 or .16 of it. Most steps leave the ring good, so what
+// it was is asked last. The way is made 1.3 times as long, which evens a mesh out in fewer rounds; but not with a
+// sizing or on lines: there what the steps lead to when nothing moves any more is not quite the lengths wished.
 inline void try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index v, Vector way)
 {
   double limit = tolerated_badness();

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The mesh of the caller is replaced as a whole or, whatever is thrown, left as it was: all that can fail comes before the first
-// change that cannot be taken back.
+// The mesh of the caller is replaced as a whole or, whatever is thrown, left as it was: all that can fail comes before
+// the first change that cannot be taken back.
 
 // Which elements of the output are copies of which of the internal mesh
 template <class OutputMesh>
@@ -64,8 +64,8 @@ void remove(const Old_elements<OutputMesh>& elements, OutputMesh& out)
     remove_vertex(v, out);
 }
 
-// A `Surface_mesh` is emptied first, so that its indices start from zero, with the memory for what comes at hand. Its property
-// maps stay: clear() would remove them, and what removes the elements alone gives the memory back.
+// A `Surface_mesh` is emptied first, so that its indices start from zero, with the memory for what comes at hand. Its
+// property maps stay: clear() would remove them, and what removes the elements alone gives the memory back.
 template <class P>
 Old_elements<Surface_mesh<P>> make_room(const Mesh& mesh, Surface_mesh<P>& out)
 {
@@ -104,8 +104,8 @@ Old_elements<OutputMesh> elements_of(const OutputMesh& mesh)
   return result;
 }
 
-// Any other mesh keeps its elements until the new ones are there; but not an OpenMesh, whose descriptors change when those removed
-// are swept out: if memory runs out while it is filled, it is left empty.
+// Any other mesh keeps its elements until the new ones are there; but not an OpenMesh, whose descriptors change when
+// those removed are swept out: if memory runs out while it is filled, it is left empty.
 template <class OutputMesh>
 Old_elements<OutputMesh> make_room(const Mesh&, OutputMesh& out)
 {

@@ -34,9 +34,9 @@ inline double spacing_for(const std::vector<double>& lengths, double edge_length
   return .5 * (low + high);
 }
 
-// Samples the curves so that there are as many samples as the mesh is to have vertices, as nearly as can be: by the spacing
-// along the curves, since their distance from each other is given. What is left is for the improvement to mend; it is
-// a few vertices in a thousand.
+// Samples the curves so that there are as many samples as the mesh is to have vertices, as nearly as can be: by the
+// spacing along the curves, since their distance from each other is given. What is left is for the improvement to mend;
+// it is a few vertices in a thousand.
 inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_surface& working,
                                           const Segmentation& segmentation, const Level_curves& curves,
                                           const Line_samples& lines, const std::vector<Vertex>& roots,
@@ -44,7 +44,8 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
 {
   const std::vector<double> lengths = lengths_of_curves(working.mesh, curves);
   const double wanted = static_cast<double>(number);
-  // what the curves are to have: less the samples off the curves, more those that are refused for being too near to another
+  // what the curves are to have: less the samples off the curves, more those that are refused for being too near to
+  // another
   double on_curves = wanted;
   std::vector<Sample> best;
   for(int attempt = 0; attempt < 4; ++attempt)

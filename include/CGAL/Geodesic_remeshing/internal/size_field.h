@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// From the lengths that the user wishes, up to a factor, to those that edges are to have: the factor found by the number of
-// vertices, no length below the smallest or above the largest, none growing faster than the gradation allows.
+// From the lengths that the user wishes, up to a factor, to those that edges are to have: the factor found by the
+// number of vertices, no length below the smallest or above the largest, none growing faster than the gradation allows.
 class Size_field
 {
 public:
@@ -51,9 +51,9 @@ public:
     return result;
   }
 
-  // The length at each vertex so that the mesh has this number of vertices, to one percent: more exactly the limits are not kept
-  // by any mesh. By the secant of the logarithms, between which the number is nearly a straight line; halving what is left where the
-  // secant leaves it, as where a single tiny wish and the gradation make most of the number.
+  // The length at each vertex so that the mesh has this number of vertices, to one percent: more exactly the limits are
+  // not kept by any mesh. By the secant of the logarithms, between which the number is nearly a straight line; halving
+  // what is left where the secant leaves it, as where a single tiny wish and the gradation make most of the number.
   std::vector<double> lengths_for_number(double number)
   {
     double factor = std::sqrt(number_of_vertices(m_wishes) / number), exponent = -2.;
@@ -115,8 +115,8 @@ private:
     return false;
   }
 
-  // A length may be no more than any other plus the gradation times the distance from there. These are the distances from all
-  // vertices at once, each beginning at its own length: one march.
+  // A length may be no more than any other plus the gradation times the distance from there. These are the distances
+  // from all vertices at once, each beginning at its own length: one march.
   void limit_growth(std::vector<double>& lengths)
   {
     if(!m_triangulation)
@@ -169,7 +169,8 @@ struct Goal
   double mean_edge_length; // that of a uniform mesh with so many vertices
 };
 
-// Finds out what a target means on this surface, and makes the wished lengths, where there are any, the metric of the surface.
+// Finds out what a target means on this surface, and makes the wished lengths, where there are any, the metric of the
+// surface.
 template <class Target>
 Goal set_goal(const Target& target, const std::vector<double>& wishes, const Sizing_limits& limits, Mesh& surface)
 {

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// What is near on the surface should be near in memory: all stages go from neighbour to neighbour, and on a large mesh in
-// another order they spend most of their time waiting for memory.
+// What is near on the surface should be near in memory: all stages go from neighbour to neighbour, and on a large mesh
+// in another order they spend most of their time waiting for memory.
 
 // More vertices than these, with what the stages know of them, fit into no cache of a core; sorting fewer gains little.
 constexpr bool is_large(std::size_t number_of_vertices)
@@ -75,8 +75,8 @@ struct Numbering
   std::vector<Face> face;
 };
 
-// Copies a mesh with its vertices in this order, and edges and faces in the order in which the vertices meet them. Each edge
-// keeps its first halfedge, each face and each vertex the halfedge that stands for it.
+// Copies a mesh with its vertices in this order, and edges and faces in the order in which the vertices meet them. Each
+// edge keeps its first halfedge, each face and each vertex the halfedge that stands for it.
 inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& order, Mesh& copy)
 {
   Numbering number{std::vector<Vertex>(mesh.num_vertices()), std::vector<Edge>(mesh.num_edges()),

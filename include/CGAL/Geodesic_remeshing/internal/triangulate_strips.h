@@ -72,8 +72,8 @@ inline void sort_by_place(Placed_mesh& placed)
     placed.density = *placed.mesh.property_map<Vertex, double>(Metric::property);
 }
 
-// Triangulates the strips between the curves (paper, section 6): Voronoi cells of the samples, their dual, Delaunay. All
-// strips at once, since nothing in it depends on what a strip looks like. The working surface is used up.
+// Triangulates the strips between the curves (paper, section 6): Voronoi cells of the samples, their dual, Delaunay.
+// All strips at once, since nothing in it depends on what a strip looks like. The working surface is used up.
 inline void triangulate_strips(const Mesh& surface, Working_surface& working, const std::vector<Sample>& samples,
                                double edge_length, Placed_mesh& result)
 {
@@ -84,8 +84,8 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
   const Metric metric(surface);
   if(!metric.is_uniform())
     result.density = add_density(result.mesh);
-  // In the order of the samples, which runs along the curves; vertices that had to stay come last. What does not fit into a
-  // cache is put in that of the places on the input, which is coherent in space.
+  // In the order of the samples, which runs along the curves; vertices that had to stay come last. What does not fit
+  // into a cache is put in that of the places on the input, which is coherent in space.
   const Mesh& dual = working.mesh;
   std::vector<Vertex> copy(dual.num_vertices());
   const auto add = [&](Vertex v, bool is_pinned) {

@@ -155,12 +155,12 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
   }
 }
 
-// The longest edge of the working surface, in edge lengths of the mesh to be: shorter ones were measured to take more time for
-// no better a mesh, longer ones to bend the curves.
+// The longest edge of the working surface, in edge lengths of the mesh to be: shorter ones were measured to take more
+// time for no better a mesh, longer ones to bend the curves.
 constexpr double longest_working_edge = 1.5;
 
-// A surface as thin as a thread has so little area for its length that there are not even vertices for a path of edges from one end
-// to the other; while the pieces to work on would be without number.
+// A surface as thin as a thread has so little area for its length that there are not even vertices for a path of edges
+// from one end to the other; while the pieces to work on would be without number.
 inline void check_thinness(const Mesh& surface, double edge_length, std::size_t number_of_vertices)
 {
   const Metric metric(surface);

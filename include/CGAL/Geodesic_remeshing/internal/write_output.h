@@ -63,9 +63,9 @@ auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mes
     return piece;
 }
 
-// Replaces the output by the result and fills the maps that the parameters of the output name: with values made before the output
-// changes, because making them can fail, and because the output may be the input.
-// `regions()` gives the region of each face, where they are wanted.
+// Replaces the output by the result and fills the maps that the parameters of the output name: with values made before
+// the output changes, because making them can fail, and because the output may be the input. `regions()` gives the
+// region of each face, where they are wanted.
 template <class TriangleMesh, class OutputMesh, class NamedParametersIn, class NamedParametersOut, class Regions>
 void write_output(const Input_surface<TriangleMesh>& input, const Placed_mesh& remeshed, const NamedParametersIn& np_in,
                   OutputMesh& out, const NamedParametersOut& np_out, const Regions& regions)
