@@ -76,41 +76,64 @@ namespace CGAL {
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
- * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{vertex_index_map}
+ *                           `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+ *                    type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sizing_field}
  *     \cgalParamDescription{how long edges are to be at each vertex of `tmesh` (section 4 of the paper). When `target`
- * is a number, only the ratios of these lengths matter: all are multiplied by the factor that gives the number. With
- *                           `Edge_length{l}` edges are to be `l` times as long as the field tells; `Edge_length{1}`
- * takes it as it is.} \cgalParamType{a class model of `GeodesicRemeshingSizingField`, such as
- * `Geodesic_remeshing::Curvature_sizing_field`; or of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number as value type; or of
- * `PMPSizingField`, such as `Polygon_mesh_processing::Adaptive_sizing_field`} \cgalParamDefault{all edges are to be
- * equally long} \cgalParamExtra{The field is copied; pass it by `std::cref()` if that is costly. It is asked once for
- * each vertex that has a face.} \cgalParamNEnd \cgalParamNBegin{gradation} \cgalParamDescription{the largest growth of
- * the length along the surface, positive: see `Geodesic_remeshing::Sizing_limits`} \cgalParamType{`double`}
+ *                           is a number, only the ratios of these lengths matter: all are multiplied by the factor that
+ *                           gives the number. With `Edge_length{l}` edges are to be `l` times as long as the field
+ *                           tells; `Edge_length{1}` takes it as it is.}
+ *     \cgalParamType{a class model of `GeodesicRemeshingSizingField`, such as
+ *                    `Geodesic_remeshing::Curvature_sizing_field`; or of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number as value type; or
+ *                    of `PMPSizingField`, such as `Polygon_mesh_processing::Adaptive_sizing_field`}
+ *     \cgalParamDefault{all edges are to be equally long}
+ *     \cgalParamExtra{The field is copied; pass it by `std::cref()` if that is costly. It is asked once for each vertex
+ *                     that has a face.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{gradation}
+ *     \cgalParamDescription{the largest growth of the length along the surface, positive: see
+ *                           `Geodesic_remeshing::Sizing_limits`}
+ *     \cgalParamType{`double`}
  *     \cgalParamDefault{that of the field, if it has limits of its own, else that of
- * `Geodesic_remeshing::Sizing_limits`} \cgalParamExtra{This and the two lengths below are limits on a sizing: without
- * `sizing_field` the call does not compile.} \cgalParamNEnd \cgalParamNBegin{minimum_length} \cgalParamDescription{the
- * smallest length that edges aim at, in the unit of the coordinates} \cgalParamType{`double`} \cgalParamDefault{that of
- * the field, else `0`} \cgalParamNEnd \cgalParamNBegin{maximum_length} \cgalParamDescription{the largest length that
- * edges aim at, in the unit of the coordinates} \cgalParamType{`double`} \cgalParamDefault{that of the field, else
- * infinity} \cgalParamNEnd \cgalParamNBegin{features_angle_bound} \cgalParamDescription{edges at which the surface
- * turns by at least this angle, in degrees, are lines, as `Polygon_mesh_processing::detect_sharp_edges()` finds them;
- * but not those with an end in the surface and shorter than the edges of the output. Then tips of cones, vertices at
- * which more than 90 degrees are missing, are corners.} \cgalParamType{a number, positive; above 180 there are no
- * features} \cgalParamDefault{no features} \cgalParamNEnd \cgalParamNBegin{edge_is_constrained_map}
+ *                       `Geodesic_remeshing::Sizing_limits`}
+ *     \cgalParamExtra{This and the two lengths below are limits on a sizing: without `sizing_field` the call does not
+ *                     compile.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{minimum_length}
+ *     \cgalParamDescription{the smallest length that edges aim at, in the unit of the coordinates}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{that of the field, else `0`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_length}
+ *     \cgalParamDescription{the largest length that edges aim at, in the unit of the coordinates}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{that of the field, else infinity}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{features_angle_bound}
+ *     \cgalParamDescription{edges at which the surface turns by at least this angle, in degrees, are lines, as
+ *                           `Polygon_mesh_processing::detect_sharp_edges()` finds them; but not those with an end in
+ *                           the surface and shorter than the edges of the output. Then tips of cones, vertices at which
+ *                           more than 90 degrees are missing, are corners.}
+ *     \cgalParamType{a number, positive; above 180 there are no features}
+ *     \cgalParamDefault{no features}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map that tells which edges of `tmesh` are lines}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
  *                    as key type and `bool` as value type}
@@ -119,18 +142,28 @@ namespace CGAL {
  *   \cgalParamNBegin{vertex_is_constrained_map}
  *     \cgalParamDescription{a property map that tells which vertices of `tmesh` are corners}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type} \cgalParamDefault{none
- * but those found} \cgalParamNEnd \cgalParamNBegin{face_patch_map} \cgalParamDescription{a property map with the patch
- * of each face of `tmesh`: edges between two patches are lines} \cgalParamType{a class model of `ReadablePropertyMap`
- * with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a value type that can be compared for
- * equality} \cgalParamDefault{no patches} \cgalParamNEnd \cgalParamNBegin{protect_constraints}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{none but those found}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{a property map with the patch of each face of `tmesh`: edges between two patches are lines}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and a value type that can be compared for equality}
+ *     \cgalParamDefault{no patches}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{protect_constraints}
  *     \cgalParamDescription{whether lines are kept exactly, with all their vertices and edges: the boundary, features,
- * constrained edges, the borders of patches} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamExtra{Where
- * edges on lines are shorter or longer than those of the output, triangles beside them cannot be well-shaped.}
+ *                           constrained edges, the borders of patches}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{Where edges on lines are shorter or longer than those of the output, triangles beside them cannot
+ *                     be well-shaped.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{use_segmentation}
  *     \cgalParamDescription{whether the surface is segmented into regions, or the curves are those of the distance from
- * the root alone; pieces with boundary are never segmented} \cgalParamType{`bool`} \cgalParamDefault{`true`}
+ *                           the root alone; pieces with boundary are never segmented}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{the number of rounds of the improvement}
@@ -143,17 +176,25 @@ namespace CGAL {
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{Without them the improvement takes about half the time, and leaves two to three times as many
- * irregular vertices.} \cgalParamNEnd \cgalParamNBegin{do_project} \cgalParamDescription{whether the vertices lie on
- * the input surface. With `false` they leave it so that the mesh as a whole is as near to the surface as its number of
- * vertices and angles of 30 degrees allow, in both directions: its largest and its RMS distance are about a third of
- * those of a mesh with its vertices on the surface. Those on lines stay on their lines, corners stay where they are.}
+ *                     irregular vertices.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{do_project}
+ *     \cgalParamDescription{whether the vertices lie on the input surface. With `false` they leave it so that the mesh
+ *                           as a whole is as near to the surface as its number of vertices and angles of 30 degrees
+ *                           allow, in both directions: its largest and its RMS distance are about a third of those of a
+ *                           mesh with its vertices on the surface. Those on lines stay on their lines, corners stay
+ *                           where they are.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by
- * `Geodesic_remeshing::Curvature_sizing_field` as it is by default. The triangles are less even for it: its smallest
- * angles are 51 degrees in the mean.} \cgalParamNEnd \cgalParamNBegin{visitor} \cgalParamDescription{is told the stages
- * and the progress, and can stop the work; pass it by `std::ref()`} \cgalParamType{a class model of
- * `GeodesicRemeshingVisitor`} \cgalParamDefault{`Geodesic_remeshing::Default_visitor`} \cgalParamNEnd
+ *                     `Geodesic_remeshing::Curvature_sizing_field` as it is by default. The triangles are less even for
+ *                     it: its smallest angles are 51 degrees in the mean.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told the stages and the progress, and can stop the work; pass it by `std::ref()`}
+ *     \cgalParamType{a class model of `GeodesicRemeshingVisitor`}
+ *     \cgalParamDefault{`Geodesic_remeshing::Default_visitor`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{stage_results}
  *     \cgalParamDescription{filled with what the stages made; pass it by `std::ref()`}
  *     \cgalParamType{`Geodesic_remeshing::Stage_results`}
@@ -172,14 +213,16 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3` and `Construct_point_3`} \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *                           `Compute_z_3` and `Construct_point_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map}
  *     \cgalParamDescription{filled with the place of each vertex of `out` on `tmesh`; with `do_project(false)` with the
- * place that the vertex is nearest to} \cgalParamType{a class model of `WritablePropertyMap` with
- * `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and
- * `Polygon_mesh_processing::Face_location<TriangleMesh, FT>` as value type} \cgalParamDefault{nothing is written}
+ *                           place that the vertex is nearest to}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
+ *                    as key type and `Polygon_mesh_processing::Face_location<TriangleMesh, FT>` as value type}
+ *     \cgalParamDefault{nothing is written}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{filled with whether an edge of `out` lies on a line}
@@ -189,13 +232,20 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
  *     \cgalParamDescription{filled with the patch of each face of `out`: that of `tmesh`, or, where `tmesh` has none,
- * the number of the piece between lines that the face belongs to} \cgalParamType{a class model of `WritablePropertyMap`
- * with `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and a value type that the patches of `tmesh`, or
- * numbers, convert to} \cgalParamDefault{nothing is written} \cgalParamNEnd \cgalParamNBegin{face_region_map}
+ *                           the number of the piece between lines that the face belongs to}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
+ *                    as key type and a value type that the patches of `tmesh`, or numbers, convert to}
+ *     \cgalParamDefault{nothing is written}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_region_map}
  *     \cgalParamDescription{filled with the region of the surface (section 5 of the paper) that each face of `out` has
- * its centre in, from 0 to `Summary::number_of_regions - 1`; not every region need have a face} \cgalParamType{a class
- * model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and a value type
- * that `int` converts to} \cgalParamDefault{nothing is written} \cgalParamNEnd \cgalNamedParamsEnd
+ *                           its centre in, from 0 to `Summary::number_of_regions - 1`; not every region need have a
+ *                           face}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
+ *                    as key type and a value type that `int` converts to}
+ *     \cgalParamDefault{nothing is written}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * @return what was made, and in what time
  *

@@ -77,7 +77,9 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{ball_radius}
    *     \cgalParamDescription{the radius of the ball around a vertex over which the curvatures are averaged, in the
-   * unit of the coordinates} \cgalParamType{`double`} \cgalParamDefault{the faces around the vertex and its neighbours}
+   *                           unit of the coordinates}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{the faces around the vertex and its neighbours}
    *     \cgalParamExtra{Of use on noisy surfaces; the time grows with the number of faces in a ball.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradation}
@@ -98,13 +100,17 @@ public:
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value
+   *                    type}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{geom_traits}
    *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
-   * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal
-   * kernel deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
+   *                           `Compute_z_3`}
+   *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not
    * finite, or if a parameter is out of its range

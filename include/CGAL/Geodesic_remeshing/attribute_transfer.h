@@ -95,16 +95,20 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
- * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{face_index_map}
+ *                           `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
  *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
- * gaps} \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -132,8 +136,8 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
 /*!
  * \ingroup PkgGeodesicRemeshingAttributesRef
  *
- * \brief carries a property of the corners of the input's faces, as texture coordinates, over to those of the output's
- * faces.
+ * \brief carries a property of the corners of the input's faces, as texture coordinates, over to those of
+ * the output's faces.
  *
  * A property of corners may jump at edges: the seams of a texture. For the corner of an output face, the input face
  * beside the vertex that is meant is the one in which the output face begins; so a seam stays sharp if its edges were
@@ -158,16 +162,20 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
- * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{face_index_map}
+ *                           `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
  *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
- * gaps} \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

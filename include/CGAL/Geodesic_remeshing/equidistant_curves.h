@@ -78,8 +78,8 @@ halfedge_of_input(const TriangleMesh& tmesh, const Input_surface<TriangleMesh>& 
 /*!
  * \ingroup PkgGeodesicRemeshingRegionsRef
  *
- * \brief traces the curves on which a piecewise linear function, such as a geodesic distance, has given values (section
- * 3 of the paper).
+ * \brief traces the curves on which a piecewise linear function, such as a geodesic distance, has
+ * given values (section 3 of the paper).
  *
  * All values are traced in one pass. A vertex whose value is exactly that of a curve counts as lower, so that each
  * triangle is crossed twice or not at all: every curve is a loop, or an arc from boundary to boundary, whatever
@@ -101,19 +101,21 @@ halfedge_of_input(const TriangleMesh& tmesh, const Input_surface<TriangleMesh>& 
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3` and `Construct_point_3`} \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *                           `Compute_z_3` and `Construct_point_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_index_map}
  *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
  *                           `num_vertices(tmesh) - 1`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+ *                    type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

@@ -99,8 +99,11 @@ struct Geodesic_diameter
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
- * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
+ *                           `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * @pre `tmesh` is a triangle mesh with finite coordinates and positive weights; else `std::invalid_argument` is thrown,
  *      saying which face or vertex is wrong.

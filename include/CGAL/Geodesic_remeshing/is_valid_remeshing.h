@@ -103,16 +103,21 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
- * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{edge_is_constrained_map}
+ *                           `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{the edges of `tmesh`, beside those of its boundary, that edges of the output must cover}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
- * as key type and `bool` as value type} \cgalParamDefault{no edge} \cgalParamNEnd
+ *                    as key type and `bool` as value type}
+ *     \cgalParamDefault{no edge}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{expected_number_of_vertices}
  *     \cgalParamDescription{the number of vertices asked for}
  *     \cgalParamType{`std::size_t`}
@@ -123,8 +128,12 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{`1e-9`}
  *     \cgalParamExtra{The vertices of a mesh made with `do_project(false)` are off the surface, by less than an edge
- * length.} \cgalParamNEnd \cgalParamNBegin{line_tolerance} \cgalParamDescription{how far a point of a boundary or of a
- * constrained edge may be from the edges of the output, as a part of that diagonal} \cgalParamType{`double`}
+ *                     length.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{line_tolerance}
+ *     \cgalParamDescription{how far a point of a boundary or of a constrained edge may be from the edges of the output,
+ *                           as a part of that diagonal}
+ *     \cgalParamType{`double`}
  *     \cgalParamDefault{`0.01`}
  *     \cgalParamExtra{Straight lines are covered to rounding; curved ones to the height of an arc over an edge.}
  *   \cgalParamNEnd
@@ -141,8 +150,11 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
- * `Compute_z_3`} \cgalParamType{a class model of `Kernel`, or any with these functors} \cgalParamDefault{a \cgal kernel
- * deduced from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalNamedParamsEnd
+ *                           `Compute_z_3`}
+ *     \cgalParamType{a class model of `Kernel`, or any with these functors}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * @return what holds and what does not
  *
