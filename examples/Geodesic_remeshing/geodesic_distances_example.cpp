@@ -1,6 +1,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geodesic_remeshing/geodesic_distances.h>
 #include <CGAL/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
@@ -53,5 +54,14 @@ int main(int argc, char* argv[])
   curve.push_back(curve.front()); // closed
   GR::geodesic_distances_from_curve(mesh, distance, curve);
   std::cout << "distance from a triangle to " << farthest << ": " << distance[farthest] << std::endl;
+
+  // where the upper half of the surface is twice as hard to pass
+  auto weight = mesh.add_property_map<Vertex, double>("v:weight", 1.).first;
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  for(Vertex v : mesh.vertices())
+    if(mesh.point(v).y() > (box.ymin() + box.ymax()) / 2.)
+      weight[v] = 2.;
+  GR::geodesic_distances(mesh, distance, source, gp::vertex_weight_map(weight));
+  std::cout << "with weights from " << source << " to " << farthest << ": " << distance[farthest] << std::endl;
   return 0;
 }

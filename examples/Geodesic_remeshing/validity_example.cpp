@@ -15,20 +15,16 @@ namespace GR = CGAL::Geodesic_remeshing;
 int main(int argc, char* argv[])
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/eight.off");
-  Mesh mesh;
+  Mesh mesh, out;
   if(!CGAL::IO::read_OFF(file_name, mesh))
   {
     std::cerr << "cannot read " << file_name << "\n";
     return EXIT_FAILURE;
   }
-  const Mesh before = mesh;
-
-  // in place, and by the length of the edges
-  const GR::Summary summary = CGAL::geodesic_remeshing(mesh, GR::Edge_length{.02});
-  std::cout << summary.number_of_vertices << " vertices, edges about " << summary.edge_length << " long\n";
+  CGAL::geodesic_remeshing(mesh, 3000, out);
 
   // all that can be checked: topology, distance, degenerate and turned faces, self-intersections
-  const GR::Remeshing_validity validity = GR::is_valid_remeshing(before, mesh);
+  const GR::Remeshing_validity validity = GR::is_valid_remeshing(mesh, out);
   std::cout << validity;
   return validity ? EXIT_SUCCESS : EXIT_FAILURE;
 }
