@@ -18,11 +18,12 @@
 #include "command_line/report.h"
 #include "command_line/sizing.h"
 #include "command_line/stage_files.h"
+#include "command_line/threads.h"
 #include "command_line/transfer.h"
 
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
-#include <CGAL/Timer.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/geodesic_remeshing.h>
 #include <CGAL/version.h>
 
@@ -105,6 +106,7 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
                       .edge_is_constrained_map(transfer.seams())
                       .protect_constraints(options.protect)
                       .do_project(!options.fit)
+                      .concurrency_tag(CGAL::Parallel_if_available_tag())
                       .visitor(std::ref(progress));
   const Job job{input.mesh, options, transfer, output, stages};
   if(!options.contrast && options.sizing.empty())
@@ -123,7 +125,8 @@ constexpr double fitted_tolerance = .05;
 
 GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Options& options)
 {
-  const auto np = GR::parameters::surface_tolerance(options.fit ? fitted_tolerance : 1e-9);
+  const auto np = GR::parameters::surface_tolerance(options.fit ? fitted_tolerance : 1e-9)
+                      .concurrency_tag(CGAL::Parallel_if_available_tag());
   return options.vertices ? GR::is_valid_remeshing(input, output, np.expected_number_of_vertices(*options.vertices))
                           : GR::is_valid_remeshing(input, output, np);
 }
@@ -161,6 +164,7 @@ void measure(Report& report, const Mesh& input, const Mesh& output, const Option
 
 void run(const Options& options)
 {
+  const command_line::Thread_limit thread_limit(options.threads);
   const command_line::Input_file file(options.input, options.input_format);
   const std::string output_format = output_format_of(options, file);
   const auto write_output = command_line::mesh_writer(options.output, output_format);
@@ -178,7 +182,7 @@ void run(const Options& options)
   Transfer transfer(options.transfer, file, input, output);
   GR::Stage_results stages;
   Report report;
-  CGAL::Timer timer;
+  CGAL::Real_timer timer;
   timer.start();
   report.summary = remesh(input, options, transfer, output, stages);
   report.is_fitted = options.fit;

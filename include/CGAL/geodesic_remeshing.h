@@ -190,6 +190,13 @@ namespace CGAL {
  *                     `Geodesic_remeshing::Curvature_sizing_field` as it is by default. The triangles are less even for
  *                     it: its smallest angles are 51 degrees in the mean.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{concurrency_tag}
+ *     \cgalParamDescription{whether several threads share the work; the result is the same, bit by bit}
+ *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+ *     \cgalParamDefault{`CGAL::Sequential_tag`}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB, whose own means, such as `tbb::global_control`, limit the number
+ *                     of threads.}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told the stages and the progress, and can stop the work; pass it by `std::ref()`}
  *     \cgalParamType{a class model of `GeodesicRemeshingVisitor`}
@@ -287,7 +294,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   decltype(auto) visitor = visitor_of(np_in);
   Geodesic_remeshing::Stage_results* const kept = stage_results_of(np_in);
   Geodesic_remeshing::Summary summary;
-  Stage_clock<std::remove_reference_t<decltype(visitor)>> clock(visitor, summary);
+  Stage_clock<std::remove_reference_t<decltype(visitor)>> clock(visitor, summary, options.concurrency.is_parallel());
 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;

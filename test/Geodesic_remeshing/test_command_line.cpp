@@ -264,10 +264,20 @@ TEST_F(Command_line, wrong_usage)
   expect_failure(files + " more.off --vertices 100", 1, "too many");
 }
 
-TEST_F(Command_line, option_that_does_not_exist_yet_is_refused)
+TEST_F(Command_line, option_that_does_not_exist_is_refused)
 {
   const std::string usual = mesh("eight") + " " + output() + " --vertices 100 ";
-  expect_failure(usual + "--threads 2", 1, "unrecognised option");
+  expect_failure(usual + "--colour red", 1, "unrecognised option");
+}
+
+TEST_F(Command_line, number_of_threads_changes_nothing)
+{
+  const std::string usual = mesh("dino") + " --vertices 5000 ";
+  for(const char* wrong : {"0", "-1", "many"})
+    expect_failure(usual + output() + " --threads " + wrong, 1, "threads");
+  ASSERT_EQ(run(usual + output("all.off")).status, 0);
+  ASSERT_EQ(run(usual + output("one.off") + " --threads 1").status, 0);
+  EXPECT_EQ(contents(output("all.off")), contents(output("one.off")));
 }
 
 TEST_F(Command_line, wrong_sizing_options)

@@ -68,6 +68,10 @@ public:
     m_input = argv[1];
     m_output = argv[2];
     m_options.assign(argv + 3, argv + argc);
+    // as many processes as processors are enough
+    if(std::none_of(m_options.begin(), m_options.end(),
+                    [](const std::string& option) { return option.rfind("--threads", 0) == 0; }))
+      m_options.insert(m_options.end(), {"--threads", "1"});
     const fs::path beside = fs::path(argv[0]).parent_path() / "geodesic_remesh";
     m_program = fs::exists(beside) ? beside.string() : "geodesic_remesh"; // else the one in the path
     if(!fs::is_directory(m_input))

@@ -103,6 +103,7 @@ inline Option_group other_options()
 {
   Option_group group{"Other", {}};
   group.options.add_options()
+    ("threads", po::value<long long>()->value_name("T"), "work with at most T threads (all processors); the result is the same")
     ("help,h", po::bool_switch(), "print this and end")
     ("version", po::bool_switch(), "print the version and end")
     ("generate", po::value<std::string>()->value_name(generated_texts), "print the man page or the completion of a shell, and end");

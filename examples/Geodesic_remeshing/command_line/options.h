@@ -43,7 +43,8 @@ struct Options
   std::optional<double> edge_length;
   unsigned int iterations = 3;
   bool use_segmentation = true;
-  double feature_angle = 0.; // degrees; zero: features are not sought
+  std::optional<std::size_t> threads; // none: as many as there are processors
+  double feature_angle = 0.;          // degrees; zero: features are not sought
   bool fit = false;
   bool protect = false; // lines keep their vertices and edges
   bool do_repair = true;
@@ -231,6 +232,7 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   internal::read_sizing(values, options);
   if(const auto iterations = internal::count(values, "iterations", 0))
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
+  options.threads = internal::count(values, "threads", 1);
   options.use_segmentation = !values["no-segmentation"].as<bool>();
   internal::read_number(values, "feature-angle", 0., 180., false, options.feature_angle);
   options.fit = values["fit"].as<bool>();

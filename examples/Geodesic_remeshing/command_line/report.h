@@ -32,7 +32,7 @@ struct Report
   mesh_quality::Distance distance;
   CGAL::Geodesic_remeshing::Summary summary;
   bool is_fitted = false;                                               // whether vertices could leave the surface
-  double seconds = 0.;                                                  // user CPU of the remeshing as a whole
+  double seconds = 0.;                                                  // of the remeshing as a whole
   std::optional<CGAL::Geodesic_remeshing::Remeshing_validity> validity; // if it was asked for
 };
 
@@ -120,8 +120,8 @@ inline void write_table(std::ostream& out, const Report& report)
       << report.distance.rms_percent << "\n"
       << "edge length " << std::defaultfloat << std::setprecision(6) << report.summary.edge_length << "; "
       << report.summary.number_of_regions << " regions, " << report.summary.number_of_curves << " curves, "
-      << report.summary.number_of_strips << " strips; " << std::fixed << std::setprecision(2) << report.seconds
-      << " s of CPU" << (report.is_fitted ? "; fitted: vertices off the surface" : "") << "\n";
+      << report.summary.number_of_strips << " strips; " << std::fixed << std::setprecision(2) << report.seconds << " s"
+      << (report.is_fitted ? "; fitted: vertices off the surface" : "") << "\n";
   if(report.validity)
     out << *report.validity;
 }

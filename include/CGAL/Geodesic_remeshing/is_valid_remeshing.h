@@ -137,6 +137,13 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamDefault{`0.01`}
  *     \cgalParamExtra{Straight lines are covered to rounding; curved ones to the height of an arc over an edge.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{concurrency_tag}
+ *     \cgalParamDescription{whether several threads share the work; the result is the same}
+ *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+ *     \cgalParamDefault{`CGAL::Sequential_tag`}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB, whose own means, such as `tbb::global_control`, limit the number
+ *                     of threads.}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * @param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -172,10 +179,10 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   using namespace internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  check_parameters<
-      NamedParametersIn,
-      Parameters_of_mesh::And<internal_np::edge_is_constrained_t, internal_np::expected_number_of_vertices_t,
-                              internal_np::surface_tolerance_t, internal_np::line_tolerance_t>>();
+  check_parameters<NamedParametersIn,
+                   Parameters_of_mesh::And<internal_np::edge_is_constrained_t,
+                                           internal_np::expected_number_of_vertices_t, internal_np::surface_tolerance_t,
+                                           internal_np::line_tolerance_t, internal_np::concurrency_tag_t>>();
   check_parameters<NamedParametersOut, Parameters_of_mesh>();
   Remeshing_validity result;
   Input_surface<TriangleMesh> input;
@@ -190,7 +197,7 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
     return result; // not even a triangle mesh
   }
   result.is_manifold = true;
-  const Surface_comparison comparison(input.mesh, output.mesh);
+  const Surface_comparison comparison(input.mesh, output.mesh, concurrency_of(np_in));
   result.has_same_components = comparison.input_shape().components == comparison.output_shape().components;
   result.has_same_boundary_loops = comparison.input_shape().boundary_loops == comparison.output_shape().boundary_loops;
   result.has_same_genus = comparison.input_shape().twice_genus() == comparison.output_shape().twice_genus();
@@ -203,8 +210,9 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
       result.distance <= choose_parameter(get_parameter(np_in, internal_np::surface_tolerance), 1e-9);
   result.degenerate_faces = comparison.number_of_degenerate_faces();
   result.flipped_faces = comparison.number_of_flipped_faces();
-  result.self_intersections = number_of_self_intersections(output.mesh);
-  result.input_intersects_itself = result.self_intersections > 0 && number_of_self_intersections(input.mesh) > 0;
+  result.self_intersections = number_of_self_intersections<Concurrency_tag_of<NamedParametersIn>>(output.mesh);
+  result.input_intersects_itself = result.self_intersections > 0 &&
+                                   number_of_self_intersections<Concurrency_tag_of<NamedParametersIn>>(input.mesh) > 0;
   result.line_distance = comparison.distance_of_lines(constrained_edges_of(tmesh, input.mesh, np_in));
   result.covers_lines =
       result.line_distance <= choose_parameter(get_parameter(np_in, internal_np::line_tolerance), .01);

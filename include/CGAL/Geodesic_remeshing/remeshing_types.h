@@ -74,7 +74,8 @@ struct Summary
   double rms_distance = 0.;
   /// with `do_project(false)`, the largest distance found, in both directions
   double largest_distance = 0.;
-  std::vector<std::pair<std::string, double>> seconds; ///< processor seconds of each stage, in their order
+  /// processor seconds of each stage, in their order; with `CGAL::Parallel_tag` those that passed
+  std::vector<std::pair<std::string, double>> seconds;
 };
 
 /*!

@@ -31,7 +31,7 @@ function showTitle() {
   const seconds = report.seconds.total;
   element("subtitle").textContent =
     `${number(report.regions)} regions, ${number(report.curves)} curves, ${number(report.strips)} strips; ` +
-    `edges ${report.edge_length.toPrecision(4)} long; ${number(seconds, seconds < 10 ? 2 : 0)} s of CPU`;
+    `edges ${report.edge_length.toPrecision(4)} long; ${number(seconds, seconds < 10 ? 2 : 0)} s`;
   element("footer").textContent = `Made by geodesic_remesh ${report.version}. Angles in degrees; distances in percent of the ` +
     `diagonal of the bounding box of the input, sampled in both directions (Hausdorff) or from the input to the output (RMS).`;
 }

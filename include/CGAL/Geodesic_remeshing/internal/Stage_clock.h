@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
+#include <chrono>
 #include <ctime>
 #include <string>
 
@@ -19,12 +20,15 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Tells the visitor of the stages, asks it whether to go on, and takes the time.
+// Tells the visitor of the stages, asks it whether to go on, and takes the time: that of the processor, which does not
+// depend on what else the machine does; with several threads that would be the sum of theirs, and what counts is what
+// passes.
 template <class Visitor>
 class Stage_clock
 {
 public:
-  Stage_clock(Visitor& visitor, Summary& summary) : m_visitor(visitor), m_summary(summary), m_start(std::clock())
+  Stage_clock(Visitor& visitor, Summary& summary, const bool is_parallel)
+    : m_visitor(visitor), m_summary(summary), m_is_parallel(is_parallel), m_start(now())
   {
     m_summary.seconds.reserve(
         16); // the last stage is entered after the output has changed, when nothing may fail any more
@@ -49,17 +53,25 @@ public:
 
   void stop()
   {
-    const std::clock_t now = std::clock();
+    const double time = now();
     if(!m_name.empty())
-      m_summary.seconds.emplace_back(m_name, static_cast<double>(now - m_start) / CLOCKS_PER_SEC);
-    m_start = now;
+      m_summary.seconds.emplace_back(m_name, time - m_start);
+    m_start = time;
   }
 
 private:
+  double now() const
+  {
+    if(!m_is_parallel)
+      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+
   Visitor& m_visitor;
   Summary& m_summary;
+  const bool m_is_parallel;
   std::string m_name;
-  std::clock_t m_start;
+  double m_start;
 };
 
 } // namespace internal

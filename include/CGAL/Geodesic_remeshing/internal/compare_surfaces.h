@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_COMPARE_SURFACES_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -67,10 +69,11 @@ inline Shape shape_of(const Mesh& mesh)
   return shape;
 }
 
-inline std::size_t number_of_self_intersections(const Mesh& mesh)
+template <class Concurrency_tag>
+std::size_t number_of_self_intersections(const Mesh& mesh)
 {
   std::vector<std::pair<Face, Face>> pairs;
-  Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  Polygon_mesh_processing::self_intersections<Concurrency_tag>(mesh, std::back_inserter(pairs));
   return pairs.size();
 }
 
@@ -85,8 +88,9 @@ inline std::string short_number(double x)
 class Surface_comparison
 {
 public:
-  Surface_comparison(const Mesh& input, const Mesh& output)
-    : m_input(input), m_output(output), m_input_shape(shape_of(input)), m_output_shape(shape_of(output))
+  Surface_comparison(const Mesh& input, const Mesh& output, const Concurrency concurrency)
+    : m_input(input), m_output(output), m_concurrency(concurrency), m_input_shape(shape_of(input)),
+      m_output_shape(shape_of(output))
   {
     const Bbox_3 box = Polygon_mesh_processing::bbox(input);
     m_diagonal = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
@@ -102,6 +106,8 @@ public:
         solid.push_back(f);
     m_input_faces.rebuild(solid.begin(), solid.end(), input);
     m_edges_of_thin_faces.rebuild(edges_of_others.begin(), edges_of_others.end(), input);
+    m_input_faces.build(); // here, and not with the first question, which several threads may ask at the same time
+    m_edges_of_thin_faces.build();
   }
 
   const Shape& input_shape() const { return m_input_shape; }
@@ -109,16 +115,15 @@ public:
 
   double distance_of_vertices() const
   {
-    double largest = 0.;
-    for(Vertex v : m_output.vertices())
-    {
-      double nearest = infinity;
-      if(!m_input_faces.empty())
-        nearest = m_input_faces.squared_distance(m_output.point(v));
-      if(!m_edges_of_thin_faces.empty())
-        nearest = (std::min)(nearest, m_edges_of_thin_faces.squared_distance(m_output.point(v)));
-      largest = (std::max)(largest, nearest);
-    }
+    const auto largest_of = [&](const std::size_t begin, const std::size_t end) {
+      double largest = 0.;
+      for(std::size_t i = begin; i < end; ++i)
+        largest = (std::max)(largest, squared_distance_from_input(m_output.point(Vertex(index_type(i)))));
+      return largest;
+    };
+    const double largest = parallel_reduce(
+        m_concurrency, m_output.number_of_vertices(), 0., largest_of,
+        [](const double x, const double y) { return (std::max)(x, y); }, questions_of_a_block);
     return relative(std::sqrt(largest));
   }
 
@@ -132,18 +137,14 @@ public:
   // may be the other one for some of them.
   std::size_t number_of_flipped_faces() const
   {
-    std::size_t number = 0;
-    for(Face f : m_output.faces())
-    {
-      const auto v = vertices_of(m_output, f);
-      const Vector normal = normal_of(m_output, f);
-      bool is_flipped =
-          is_against(normal, CGAL::centroid(m_output.point(v[0]), m_output.point(v[1]), m_output.point(v[2])));
-      for(Vertex w : v)
-        is_flipped = is_flipped && is_against(normal, m_output.point(w));
-      number += is_flipped;
-    }
-    return number;
+    const auto number_of = [&](const std::size_t begin, const std::size_t end) {
+      std::size_t number = 0;
+      for(std::size_t i = begin; i < end; ++i)
+        number += is_flipped(Face(index_type(i)));
+      return number;
+    };
+    return parallel_reduce(m_concurrency, m_output.number_of_faces(), std::size_t(0), number_of, std::plus<>(),
+                           questions_of_a_block);
   }
 
   // Of points on the marked and on the boundary edges of the input from the edges of the output
@@ -168,6 +169,31 @@ public:
 private:
   using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
   using Edge_tree = AABB_tree<AABB_traits_3<Kernel, AABB_halfedge_graph_segment_primitive<Mesh>>>;
+
+  // A search in the tree takes microseconds.
+  static constexpr std::size_t questions_of_a_block = 256;
+
+  static Mesh::size_type index_type(const std::size_t i) { return static_cast<Mesh::size_type>(i); }
+
+  double squared_distance_from_input(const Point& p) const
+  {
+    double nearest = infinity;
+    if(!m_input_faces.empty())
+      nearest = m_input_faces.squared_distance(p);
+    if(!m_edges_of_thin_faces.empty())
+      nearest = (std::min)(nearest, m_edges_of_thin_faces.squared_distance(p));
+    return nearest;
+  }
+
+  bool is_flipped(const Face f) const
+  {
+    const auto v = vertices_of(m_output, f);
+    const Vector normal = normal_of(m_output, f);
+    bool result = is_against(normal, CGAL::centroid(m_output.point(v[0]), m_output.point(v[1]), m_output.point(v[2])));
+    for(Vertex w : v)
+      result = result && is_against(normal, m_output.point(w));
+    return result;
+  }
 
   static bool is_degenerate(const Mesh& mesh, Face f)
   {
@@ -200,6 +226,7 @@ private:
 
   const Mesh& m_input;
   const Mesh& m_output;
+  const Concurrency m_concurrency;
   const Shape m_input_shape, m_output_shape;
   double m_diagonal;
   AABB_tree<AABB_traits_3<Kernel, Primitive>> m_input_faces;

@@ -73,7 +73,8 @@ using Parameters_of_remeshing =
                             internal_np::gradation_t, internal_np::minimum_length_t, internal_np::maximum_length_t,
                             internal_np::use_segmentation_t, internal_np::number_of_iterations_t,
                             internal_np::use_defect_moves_t, internal_np::visitor_t, internal_np::stage_results_t,
-                            internal_np::protect_constraints_t, internal_np::do_project_t>;
+                            internal_np::protect_constraints_t, internal_np::do_project_t,
+                            internal_np::concurrency_tag_t>;
 
 // Says of the pack of an output that this takes the input's place, so that the one pack of the user is that of both.
 struct in_place_t

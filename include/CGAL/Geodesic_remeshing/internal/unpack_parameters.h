@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Points_of_graph.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
@@ -47,12 +48,14 @@ struct Options
   std::size_t number_of_iterations;
   bool use_defect_moves;
   bool do_project;
+  Concurrency concurrency;
 
   Improvement_parameters improvement(std::size_t number_of_vertices, double edge_length) const
   {
     Improvement_parameters result{number_of_vertices, edge_length};
     result.number_of_iterations = number_of_iterations;
     result.use_defect_moves = use_defect_moves;
+    result.concurrency = concurrency;
     return result;
   }
 };
@@ -65,7 +68,7 @@ Options unpack_options(const NamedParameters& np)
   return Options{choose_parameter(get_parameter(np, internal_np::use_segmentation), true),
                  static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u)),
                  choose_parameter(get_parameter(np, internal_np::use_defect_moves), true),
-                 choose_parameter(get_parameter(np, internal_np::do_project), true)};
+                 choose_parameter(get_parameter(np, internal_np::do_project), true), concurrency_of(np)};
 }
 
 template <class TriangleMesh, class NamedParameters>
