@@ -40,7 +40,7 @@ class Parallel : public ::testing::Test
 };
 #endif
 
-const CGAL::Parallel_if_available_tag parallel;
+const CGAL::Parallel_if_available_tag parallel{};
 
 using Location = std::pair<Face, std::array<double, 3>>;
 
