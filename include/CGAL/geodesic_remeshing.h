@@ -131,7 +131,9 @@ namespace CGAL {
  *                           the surface and shorter than the edges of the output. Then tips of cones, vertices at which
  *                           more than 90 degrees are missing, are corners.}
  *     \cgalParamType{a number, positive; above 180 there are no features}
- *     \cgalParamDefault{no features}
+ *     \cgalParamDefault{no features but the long creases of an input of few faces: sharper than 45 degrees, more than
+ *                       three edge lengths of the output long, with room for a row of triangles on both sides and
+ *                       between them, and with others or the boundary at both ends; none with `protect_constraints`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map that tells which edges of `tmesh` are lines}

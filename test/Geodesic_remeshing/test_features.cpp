@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -305,6 +306,46 @@ TEST(Features, none_without_the_parameter)
   EXPECT_TRUE(result.lines().empty());
 }
 
+// Its edges are all there is of it.
+TEST(Long_creases, of_few_faces_are_lines_without_the_parameter)
+{
+  const Mesh input = made::box(1, 1, 1);
+  const Result result(input, 300, parameters::default_values());
+  expect_guarantees(input, result, 300);
+  expect_lines_covered(lines_of(input, sharp_edges_of(input)), result, 1e-9);
+  EXPECT_TRUE(Result(input, 300, parameters::features_angle_bound(181.)).lines().empty());
+  EXPECT_TRUE(Result(made::box(4, 4, 4), 300, parameters::default_values()).lines().empty()) << "short edges";
+}
+
+// No line there would end but in the surface, or leave room for the angles of its neighbours.
+TEST(Long_creases, that_dangle_or_are_near_to_others_are_none)
+{
+  const auto number_of_lines = [](const Mesh& mesh, const double edge_length) {
+    Constraints constraints{std::vector<char>(mesh.number_of_edges(), 0),
+                            std::vector<char>(mesh.number_of_vertices(), 0)};
+    GR::internal::add_long_creases(mesh, edge_length, constraints);
+    return std::count(constraints.is_line.begin(), constraints.is_line.end(), 1);
+  };
+  const auto roof = [](const double half_width) { // a ridge that ends where the four sides meet in one point
+    Mesh mesh;
+    const Vertex a = mesh.add_vertex(Point(-half_width, 0, 0)), b = mesh.add_vertex(Point(half_width, 0, 0));
+    const Vertex c = mesh.add_vertex(Point(0, 9, 0)), top = mesh.add_vertex(Point(0, 0, 9));
+    for(const auto& f : {std::array<Vertex, 3>{{a, b, top}}, {{b, c, top}}, {{c, a, top}}, {{b, a, c}}})
+      mesh.add_face(f[0], f[1], f[2]);
+    return mesh;
+  };
+  EXPECT_EQ(number_of_lines(roof(9.), 1.), 6) << "all edges";
+  EXPECT_EQ(number_of_lines(roof(9.), 5.), 0) << "no edge is that long";
+  EXPECT_EQ(number_of_lines(roof(1.), 1.), 0) << "two long edges meet at 12 degrees";
+  Mesh hill = made::plane(6); // its ridges end where it meets the plane at 42 degrees
+  for(const Vertex v : hill.vertices())
+    if(CGAL::squared_distance(hill.point(v), Point(3., 3., 0.)) < .1)
+      hill.point(v) = Point(3., 3., .9);
+  const std::vector<char> sharp = GR::internal::find_sharp_edges(hill, 45.);
+  EXPECT_GT(std::count(sharp.begin(), sharp.end(), 1), 0);
+  EXPECT_EQ(number_of_lines(hill, .2), 0);
+}
+
 TEST(Features, rims_of_a_cylinder_are_covered_within_the_sagitta)
 {
   const Mesh input = made::cylinder(1., 3., 90, 20);
@@ -390,7 +431,7 @@ TEST_P(Open_surfaces, keep_their_boundary)
   const auto border = [&](Edge e) { return input.is_border(e); };
   for(std::size_t vertices : {100, 1500})
   {
-    const Result result(input, vertices, parameters::default_values());
+    const Result result(input, vertices, parameters::features_angle_bound(181.)); // nor creases
     expect_guarantees(input, result, vertices);
     for(Edge e : result.mesh.edges())
       EXPECT_EQ(result.constrained[e], result.mesh.is_border(e));

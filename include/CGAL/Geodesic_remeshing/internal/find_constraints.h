@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/find_corners.h>
+#include <CGAL/Geodesic_remeshing/internal/find_creases.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,63 +21,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-// Normals of the faces. A face without area has that of the neighbour across its longest side, so that a crease
-// beside it is found where its other sides are.
-inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
-{
-  const Metric metric(mesh);
-  std::vector<Vector> normal(mesh.number_of_faces(), Vector(0., 0., 0.));
-  std::vector<Face> flat;
-  for(Face f : mesh.faces())
-  {
-    const auto v = vertices_of(mesh, f);
-    const Vector a(mesh.point(v[0]), mesh.point(v[1])), b(mesh.point(v[0]), mesh.point(v[2]));
-    const Vector n = cross_product(a, b);
-    const double length = std::sqrt(n.squared_length()), sides = a.squared_length() + b.squared_length();
-    if(length > 1e-10 * sides)
-      normal[f] = n / length;
-    else
-      flat.push_back(f);
-  }
-  for(std::size_t before = flat.size() + 1; flat.size() < before;)
-  {
-    before = flat.size();
-    std::vector<Face> left;
-    for(Face f : flat)
-    {
-      Halfedge longest = mesh.halfedge(f);
-      for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        if(metric.length(h) > metric.length(longest))
-          longest = h;
-      const Face g = mesh.face(mesh.opposite(longest));
-      if(g != Mesh::null_face() && normal[g].squared_length() > 0.)
-        normal[f] = normal[g];
-      else
-        left.push_back(f);
-    }
-    flat.swap(left);
-  }
-  return normal;
-}
-
-// The edges at which the surface turns by at least this angle, as `Polygon_mesh_processing::detect_sharp_edges()` has
-// it
-inline std::vector<char> find_sharp_edges(const Mesh& mesh, double angle_in_degrees)
-{
-  const double bound = std::cos(angle_in_degrees * CGAL_PI / 180.);
-  const std::vector<Vector> normal = normals_of_faces(mesh);
-  std::vector<char> is_sharp(mesh.number_of_edges(), 0);
-  for(Edge e : mesh.edges())
-  {
-    if(mesh.is_border(e))
-      continue;
-    const Vector& n = normal[mesh.face(mesh.halfedge(e, 0))];
-    const Vector& m = normal[mesh.face(mesh.halfedge(e, 1))];
-    is_sharp[e.idx()] = n.squared_length() > 0. && m.squared_length() > 0. && n * m <= bound;
-  }
-  return is_sharp;
-}
 
 // What an angle bound finds beside the features: spurs and specks shorter than the new edges, which could not show
 // them. Only what nobody has asked for is taken away; a spur gone may leave another one.
@@ -177,6 +121,8 @@ Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& n
     for(Vertex v : mesh.vertices())
       result.is_corner[v.idx()] = get(is_constrained, input.vertex_of[v.idx()]) ? 1 : 0;
   }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::protect_constraints_t>::value)
+    result.are_kept = get_parameter(np, internal_np::protect_constraints);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::features_angle_bound_t>::value)
   {
     const double bound = CGAL::to_double(get_parameter(np, internal_np::features_angle_bound));
@@ -185,8 +131,8 @@ Constraints find_constraints(const TriangleMesh& tmesh, const NamedParameters& n
     if(bound <= 180.)
       add_features(mesh, edge_length, bound, result);
   }
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::protect_constraints_t>::value)
-    result.are_kept = get_parameter(np, internal_np::protect_constraints);
+  else if(!result.are_kept)
+    add_long_creases(mesh, edge_length, result);
   if(result.are_kept)
     mark_ends_of_lines(mesh, result);
   find_corners(mesh, edge_length, result);
