@@ -247,7 +247,7 @@ inline bool Defect_moves::settle()
     const Index v = m_zone[i];
     if(m_remeshed.is_fixed(v))
       continue;
-    const Remeshed_surface::Spot center = m_remeshed.spot_after(v, m_remeshed.way_to_center_of_neighbors(v));
+    const Remeshed_surface::Spot center = m_remeshed.spot_after(v, Vertex_ring(m_remeshed, v).way_to_center());
     if(m_remeshed.may_be_at(v, center))
       m_remeshed.put(v, center);
   }

@@ -240,7 +240,8 @@ inline bool Fit_steps::move(const Index v, const double pull)
   if(!(size > 0.))
     return false;
   gather_ring(v);
-  const Vector normal = sum / size, way = m_remeshed.way_to_center_of_neighbors(v);
+  const Vertex_ring ring(m_remeshed, v);
+  const Vector normal = sum / size, way = ring.way_to_center();
   Vector step = wished_step(v, normal, way, weight);
   const double length = std::sqrt(step.squared_length()), longest = m_longest_step * old.size;
   if(!(length > 1e-3 * longest))
@@ -251,13 +252,13 @@ inline bool Fit_steps::move(const Index v, const double pull)
     return weight * (rest.squared_length() - CGAL::square(rest * normal));
   };
   const double before = gathered_cost() + pulling(way) + m_probes.ring_cost(v, m_cost, infinity);
-  const double limit = (std::max)(fit_badness(), m_remeshed.ring_badness(v));
+  const double limit = (std::max)(fit_badness(), ring.badness());
   for(int trial = 0; trial < 4; ++trial, step = .4 * step)
   {
     const Remeshed_surface::Spot spot = m_remeshed.is_on_line(v) || is_held(v)
                                             ? m_remeshed.spot_after(v, step)
                                             : spot_at(old.point + step, old.place.face);
-    if(m_remeshed.ring_badness(v, spot, limit) > limit)
+    if(ring.badness(spot, limit) > limit)
       continue;
     m_remeshed.put(v, spot);
     double rest = before - pulling(way - (spot.point - old.point));

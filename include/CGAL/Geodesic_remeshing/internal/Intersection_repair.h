@@ -30,12 +30,12 @@ class Intersection_repair
 public:
   using Index = Lean_triangulation::Index;
 
-  Intersection_repair(Remeshed_surface& remeshed, const double mendable)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_mendable(mendable)
-  {}
+  explicit Intersection_repair(Remeshed_surface& remeshed) : m_remeshed(remeshed), m_table(remeshed.connectivity()) {}
 
-  // Returns the number of intersections found before. Vertices that hold a tip give way only if they are let go.
-  std::size_t run(bool do_let_go = false);
+  // Returns the number of intersections found before; `mendable` is the worst triangle that a change may make. Vertices
+  // that hold a tip give way only if they are let go. Only the first run searches everywhere: nothing but runs may
+  // change the surface between them.
+  std::size_t run(double mendable, bool do_let_go = false);
 
 private:
   using Pair = Intersection_search::Pair;
@@ -45,14 +45,17 @@ private:
   void move_apart(Index v);
   void flip_apart(Index h);
   void gather(const Pair& faces);
+  std::vector<Pair> find_pairs() const;
   Kernel::Triangle_3 triangle(const Index f) const { return triangle_of(m_remeshed, f); }
   std::size_t intersections(Index f) const;
   std::size_t intersections_of_ring(Index v) const;
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
-  std::vector<Index> m_zone; // the faces around the pair
-  double m_mendable;         // the worst triangle that a change may make
+  std::vector<Index> m_zone;    // the faces around the pair
+  std::vector<Index> m_changed; // vertices at which something may have changed in the last run
+  double m_mendable = 0.;
+  bool m_is_first = true;
 };
 
 inline void Intersection_repair::gather(const Pair& faces)
@@ -117,6 +120,7 @@ inline void Intersection_repair::flip_apart(const Index h)
   const double after = add_badness(m_remeshed.badness(a, d, c), m_remeshed.badness(b, c, d));
   if(after > (std::max)(before, m_mendable))
     return;
+  m_changed.insert(m_changed.end(), {a, b, c, d});
   const std::size_t number = intersections(f) + intersections(g);
   m_remeshed.record();
   m_table.flip(h);
@@ -129,6 +133,7 @@ inline void Intersection_repair::mend(const Pair& faces)
 {
   gather(faces);
   const std::vector<Index> corners = corners_of(faces);
+  m_changed.insert(m_changed.end(), corners.begin(), corners.end());
   const auto are_parted = [&] { return !do_faces_intersect(m_remeshed, faces.first, faces.second); };
   for(const Index v : corners)
   {
@@ -151,9 +156,23 @@ inline std::vector<Intersection_repair::Index> Intersection_repair::corners_of(c
   return corners;
 }
 
-inline std::size_t Intersection_repair::run(const bool do_let_go)
+inline std::vector<Intersection_repair::Pair> Intersection_repair::find_pairs() const
 {
-  const std::vector<Pair> pairs = Intersection_search(m_remeshed).run();
+  Intersection_search search(m_remeshed);
+  if(m_is_first)
+    return search.run();
+  std::vector<Index> faces;
+  for(const Index v : m_changed)
+    m_table.for_each_outgoing(v, [&](const Index h) { faces.push_back(Lean_triangulation::face(h)); });
+  return search.run(faces);
+}
+
+inline std::size_t Intersection_repair::run(const double mendable, const bool do_let_go)
+{
+  const std::vector<Pair> pairs = find_pairs();
+  m_is_first = false;
+  m_changed.clear();
+  m_mendable = mendable;
   for(const Pair& pair : pairs)
   {
     for(const Index v : corners_of(pair))

@@ -55,16 +55,14 @@ inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_tria
         h = i;
         k = j;
       }
+  // In a fan, or a fold as blunt as a right angle, those that share a vertex do not: nearly all that are asked for.
+  if(shared > 1 || (shared == 1 && normal_of(remeshed, f) * normal_of(remeshed, g) > 0.))
+    return false;
   const Kernel::Triangle_3 s = triangle_of(remeshed, f), t = triangle_of(remeshed, g);
   if(s.is_degenerate() || t.is_degenerate())
     return false; // the predicates do not take faces of no area, and parting them from others would not mend them
   if(shared == 0)
     return do_intersect(s, t);
-  if(shared > 1)
-    return false;
-  // In a fan, or a fold as blunt as a right angle, they do not.
-  if(normal_of(remeshed, f) * normal_of(remeshed, g) > 0.)
-    return false;
   const auto opposite = [&](const Lean_triangulation::Index i) {
     return Kernel::Segment_3(remeshed.spot(table.target(i)).point, remeshed.spot(table.apex(i)).point);
   };
@@ -123,6 +121,8 @@ public:
   {}
 
   std::vector<Pair> run(); // sorted
+  // Only the pairs with at least one of these faces: after a search whatever else has not changed need not be asked.
+  std::vector<Pair> run(const std::vector<Index>& suspects);
 
 private:
   struct Box
@@ -136,11 +136,13 @@ private:
   void test_all(std::size_t begin, std::size_t end, const Box& part);
   bool do_boxes_overlap(Index f, Index g, const Box& part) const;
   bool are_apart(Index f, Index g) const;
+  bool is_suspect(const Index f) const { return m_suspects.empty() || m_suspects[f]; }
 
   const Remeshed_surface& m_remeshed;
   const Lean_triangulation& m_table;
-  std::vector<Box> m_boxes;   // by face
-  std::vector<Index> m_faces; // of a part, after those of the parts it is in
+  std::vector<Box> m_boxes;     // by face
+  std::vector<Index> m_faces;   // of a part, after those of the parts it is in
+  std::vector<char> m_suspects; // by face; empty if all are
   std::vector<Pair> m_pairs;
 };
 
@@ -175,6 +177,8 @@ inline void Intersection_search::divide(const std::size_t begin, const std::size
   constexpr std::size_t few = 24;
   if(end - begin <= few)
     return test_all(begin, end, part);
+  if(std::none_of(m_faces.begin() + begin, m_faces.begin() + end, [&](const Index f) { return is_suspect(f); }))
+    return;
   const Box all = bounds(begin, end);
   std::array<double, 3> low, length;
   for(int i = 0; i < 3; ++i)
@@ -218,9 +222,14 @@ inline bool Intersection_search::do_boxes_overlap(const Index f, const Index g, 
   return true;
 }
 
-// By a plane across the way between the centers, with a distance far above the rounding.
+// By a plane across the way between the centers, with a distance far above the rounding. Of faces that share a vertex,
+// most of those that are near to each other, no plane does.
 inline bool Intersection_search::are_apart(const Index f, const Index g) const
 {
+  for(Index i = 4 * f; i < 4 * f + 3; ++i)
+    for(Index j = 4 * g; j < 4 * g + 3; ++j)
+      if(m_table.source(i) == m_table.source(j))
+        return false;
   const auto point = [&](const Index h) -> const Point& { return m_remeshed.spot(m_table.source(h)).point; };
   const Point& origin = point(4 * f);
   Vector way(0., 0., 0.);
@@ -241,9 +250,20 @@ inline void Intersection_search::test_all(const std::size_t begin, const std::si
     for(std::size_t l = begin; l < k; ++l)
     {
       const Index f = m_faces[l], g = m_faces[k];
-      if(do_boxes_overlap(f, g, part) && !are_apart(f, g) && do_faces_intersect(m_remeshed, f, g))
+      if((is_suspect(f) || is_suspect(g)) && do_boxes_overlap(f, g, part) && !are_apart(f, g) &&
+         do_faces_intersect(m_remeshed, f, g))
         m_pairs.push_back(std::minmax(f, g));
     }
+}
+
+inline std::vector<Intersection_search::Pair> Intersection_search::run(const std::vector<Index>& suspects)
+{
+  if(suspects.empty())
+    return {};
+  m_suspects.assign(m_table.face_slots(), 0);
+  for(const Index f : suspects)
+    m_suspects[f] = 1;
+  return run();
 }
 
 inline std::vector<Intersection_search::Pair> Intersection_search::run()

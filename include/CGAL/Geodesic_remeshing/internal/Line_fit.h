@@ -101,7 +101,8 @@ private:
     if(!(least > std::pow(m_tolerance * m_remeshed.spot(v).size, 4.)))
       return false;
     least *= .5;
-    const double limit = (std::max)(tolerated_badness(), m_remeshed.ring_badness(v));
+    const Vertex_ring ring(m_remeshed, v);
+    const double limit = (std::max)(tolerated_badness(), ring.badness());
     bool has_moved = false;
     for(const double step : steps)
     {
@@ -110,7 +111,7 @@ private:
         continue;
       const double d = deviation_beside(s, at);
       const Remeshed_surface::Spot spot = m_remeshed.spot_on_line(m_remeshed.lines().place_at(s.piece, at));
-      if(!(d < least) || m_remeshed.ring_badness(v, spot, limit) > limit)
+      if(!(d < least) || ring.badness(spot, limit) > limit)
         continue;
       least = d;
       m_remeshed.put(v, spot);

@@ -107,25 +107,25 @@ inline bool Polish::better_vertex(const Index v)
   if(m_remeshed.is_fixed(v))
     return false;
   constexpr std::array<double, 6> steps = {{.3, -.3, .1, -.1, .03, -.03}};
-  const double start = m_remeshed.ring_badness(v);
+  const Vertex_ring ring(m_remeshed, v);
+  const double start = ring.badness();
   double best = start;
   bool has_moved = true;
   for(int round = 0; round < 4 && has_moved; ++round)
   {
     has_moved = false;
     for(const double step : steps)
-      m_table.for_each_neighbor(v, [&](const Index w) {
-        const Remeshed_surface::Spot old = m_remeshed.spot(v);
-        m_remeshed.put(v, m_remeshed.spot_after(v, step * (m_remeshed.spot(w).point - old.point)));
-        const double badness = m_remeshed.ring_badness(v);
+      for(std::size_t i = 0; i < ring.size(); ++i)
+      {
+        const Remeshed_surface::Spot spot = m_remeshed.spot_after(v, step * (ring[i].point - m_remeshed.spot(v).point));
+        const double badness = ring.badness(spot, best);
         if(badness < best)
         {
           best = badness;
           has_moved = true;
+          m_remeshed.put(v, spot);
         }
-        else
-          m_remeshed.put(v, old);
-      });
+      }
   }
   return best < start;
 }

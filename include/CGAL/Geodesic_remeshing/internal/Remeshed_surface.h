@@ -110,11 +110,14 @@ public:
   void forget();
 
   double badness(Index u, Index v, Index w) const;
-  double ring_badness(const Index v) const { return ring_badness(v, m_spots[v], infinity); }
-  // That of the ring if its center were at `spot`, turned where it may not be; no more than something above the limit
-  // where it is above the limit.
-  double ring_badness(Index v, const Spot& spot, double limit) const;
-  Vector way_to_center_of_neighbors(Index v) const;
+  double ring_badness(Index v) const;
+  // Whether a triangle with this normal is turned against the mean normal of the surface at its corners: at a crease a
+  // single one may point anywhere.
+  bool is_turned(const Spot& u, const Spot& v, const Spot& w, const Vector& normal) const
+  {
+    const double side = normal * (u.normal + v.normal + w.normal);
+    return side < 0. || (m_has_lines && !(side > 0.) && is_turned_between_lines({{&u, &v, &w}}, normal));
+  }
   template <class Visit>
   void for_each_neighbor_on_line(const Index v, const Visit& visit) const
   {
@@ -129,12 +132,6 @@ public:
 private:
   enum class Hold : char { none, corner, tip, leash };
 
-  bool is_turned(const Spot& u, const Spot& v, const Spot& w, const Vector& normal) const
-  {
-    // Against the mean normal: at a crease a single one may point anywhere.
-    const double side = normal * (u.normal + v.normal + w.normal);
-    return side < 0. || (m_has_lines && !(side > 0.) && is_turned_between_lines({{&u, &v, &w}}, normal));
-  }
   bool is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const;
 
   const Surface_walker& m_walker;
@@ -238,51 +235,6 @@ inline double Remeshed_surface::badness(const Index u, const Index v, const Inde
   return triangle_badness(a.squared_length(), b.squared_length(), c.squared_length(), normal.squared_length());
 }
 
-// As `badness()` of each triangle; but what one shares with the next is computed once: of all that is asked here this
-// is asked most often.
-inline double Remeshed_surface::ring_badness(const Index v, const Spot& spot, const double limit) const
-{
-  const Index first = m_connectivity.halfedge(v);
-  const Spot* last = &m_spots[m_connectivity.target(first)];
-  Vector a = last->point - spot.point;
-  double x = a.squared_length(), sum = may_be_at(v, spot) ? 0. : turned_badness;
-  Index h = first;
-  do
-  {
-    const Spot* next = &m_spots[m_connectivity.apex(h)];
-    const Vector b = next->point - spot.point, normal = cross_product(a, b);
-    const double y = b.squared_length(), z = CGAL::squared_distance(next->point, last->point);
-    sum = add_badness(sum, is_turned(spot, *last, *next, normal) ? turned_badness
-                                                                 : triangle_badness(x, y, z, normal.squared_length()));
-    last = next;
-    a = b;
-    x = y;
-    h = m_connectivity.rotate(h);
-  } while(h != first && h != Lean_triangulation::none && sum <= limit);
-  return sum;
-}
-
-inline Vector Remeshed_surface::way_to_center_of_neighbors(const Index v) const
-{
-  const Spot& spot = m_spots[v];
-  // In units of the length that the edge is to have, so that all pull alike. Without, a sizing is kept more exactly: to
-  // 2 percent in place of 8 where it changes fourfold over a sphere. With, vertices gather where they are wanted: the
-  // RMS distance of sizings by curvature is 3 to 5 percent less.
-  const auto way_to = [&](const Index w) {
-    const Vector way = m_spots[w].point - spot.point;
-    return m_metric.is_uniform() ? way : 2. * spot.size / (spot.size + m_spots[w].size) * way;
-  };
-  Vector sum(0., 0., 0.);
-  m_connectivity.for_each_neighbor(v, [&](const Index w) { sum = sum + way_to(w); });
-  const Vector way = sum / static_cast<double>(m_connectivity.valence(v));
-  if(!is_on_line(v))
-    return way;
-  // Evenly between those beside it on the line, to cover bent lines, and in the middle of all, for the angles.
-  Vector along(0., 0., 0.);
-  for_each_neighbor_on_line(v, [&](const Index w) { along = along + .5 * way_to(w); });
-  return .5 * (way + along);
-}
-
 // A face between creases is one of a side of each: it is turned if at one of its corners no side looks its way.
 inline bool Remeshed_surface::is_turned_between_lines(const std::array<const Spot*, 3>& corners,
                                                       const Vector& normal) const
@@ -332,5 +284,7 @@ inline bool Remeshed_surface::find_middle(const Index h, Spot& middle) const
 } // namespace internal
 } // namespace Geodesic_remeshing
 } // namespace CGAL
+
+#include <CGAL/Geodesic_remeshing/internal/Vertex_ring.h>
 
 #endif // CGAL_GEODESIC_REMESHING_INTERNAL_REMESHED_SURFACE_H

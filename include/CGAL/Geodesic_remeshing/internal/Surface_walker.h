@@ -44,7 +44,7 @@ public:
   Place walk(const Place& from, const Vector& displacement) const;
 
   // Unit normal of a face; that of a neighbour for a face without area; zero where there is none.
-  const Vector& normal(const Face f) const { return m_normals[f]; }
+  const Vector& normal(const Face f) const { return m_frames[f].normal; }
   // That of a place on a line, zero where the faces that meet there look different ways.
   Vector normal_on_line(const Place& place) const;
   Point point(const Place& place) const;
@@ -61,16 +61,23 @@ private:
   {
     double x, y;
   };
+  // Of a face: how its second and its third barycentric coordinate grow over it, and its normal.
+  struct Frame
+  {
+    Vector second, third, normal;
+  };
 
   void lay_out(Index f);
   void borrow_normals();
+  void find_gradients(Index f);
+  const Apex& apex(const Index h) const { return m_apices[h - Lean_triangulation::face(h)]; }
   std::array<double, 3> velocity(Face f, const Vector& displacement) const;
   void cross(Index h, Index o, std::array<double, 3>& at, std::array<double, 3>& by) const;
 
   const Mesh& m_surface;
   Lean_triangulation m_triangulation;
-  std::vector<Vector> m_normals;
-  std::vector<Apex> m_apices; // one a halfedge
+  std::vector<Frame> m_frames;
+  std::vector<Apex> m_apices; // three a face
   std::size_t m_maximum_number_of_crossings;
 };
 
@@ -78,7 +85,7 @@ inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& co
   : m_surface(surface),
     m_triangulation(surface,
                     [&](const Edge e) { return !constraints.is_line.empty() && constraints.is_line[e.idx()]; }),
-    m_normals(surface.number_of_faces()), m_apices(4 * surface.number_of_faces())
+    m_frames(surface.number_of_faces()), m_apices(3 * surface.number_of_faces())
     // A straight way through a mesh crosses some sqrt(faces) edges; the constant is generous, for elongated meshes.
     ,
     m_maximum_number_of_crossings(100 + 20 * static_cast<std::size_t>(std::sqrt(double(surface.number_of_faces()))))
@@ -86,6 +93,8 @@ inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& co
   for(Index f = 0; f < m_triangulation.face_slots(); ++f)
     lay_out(f);
   borrow_normals();
+  for(Index f = 0; f < m_triangulation.face_slots(); ++f)
+    find_gradients(f);
 }
 
 inline void Surface_walker::lay_out(const Index f)
@@ -101,11 +110,11 @@ inline void Surface_walker::lay_out(const Index f)
   // what matters: then every apex is finite and every crossing possible.
   const double longest = (std::max)({l[0], l[1], l[2], (std::numeric_limits<double>::min)()});
   const double least_area = 1e-10 * longest, least_length = 1e-20 * longest;
-  m_normals[f] = area > least_area ? product / area : Vector(0., 0., 0.);
+  m_frames[f].normal = area > least_area ? product / area : Vector(0., 0., 0.);
   for(Index i = 0; i < 3; ++i)
   {
     const double length = (std::max)(l[i], least_length);
-    m_apices[4 * f + i] = {-(e[i] * e[(i + 2) % 3]) / length, (std::max)(area, least_area) / length};
+    m_apices[3 * f + i] = {-(e[i] * e[(i + 2) % 3]) / length, (std::max)(area, least_area) / length};
   }
 }
 
@@ -114,7 +123,7 @@ inline void Surface_walker::borrow_normals()
 {
   std::vector<Index> bare;
   for(Index f = 0; f < m_triangulation.face_slots(); ++f)
-    if(m_normals[f] == NULL_VECTOR)
+    if(m_frames[f].normal == NULL_VECTOR)
       bare.push_back(f);
   for(std::size_t before = bare.size() + 1; bare.size() < before;)
   {
@@ -125,10 +134,10 @@ inline void Surface_walker::borrow_normals()
                                 {
                                   const Index o = m_triangulation.opposite(h);
                                   if(o != Lean_triangulation::none &&
-                                     m_normals[Lean_triangulation::face(o)] != NULL_VECTOR)
-                                    m_normals[f] = m_normals[Lean_triangulation::face(o)];
+                                     m_frames[Lean_triangulation::face(o)].normal != NULL_VECTOR)
+                                    m_frames[f].normal = m_frames[Lean_triangulation::face(o)].normal;
                                 }
-                                return m_normals[f] != NULL_VECTOR;
+                                return m_frames[f].normal != NULL_VECTOR;
                               }),
                bare.end());
   }
@@ -176,19 +185,25 @@ inline Vector Surface_walker::normal_on_line(const Place& place) const
   return is_smooth ? sum / length : Vector(0., 0., 0.);
 }
 
+// In the frame of the first edge, and across it by the normal, which a face without area has borrowed. Where the edge
+// is a point nothing moves.
+inline void Surface_walker::find_gradients(const Index f)
+{
+  Frame& frame = m_frames[f];
+  const Vector edge = m_surface.point(Vertex(m_triangulation.source(4 * f + 1))) -
+                      m_surface.point(Vertex(m_triangulation.source(4 * f)));
+  const double length = edge.squared_length();
+  frame.second = frame.third = Vector(0., 0., 0.);
+  if(!(length > 0.))
+    return;
+  frame.third = cross_product(frame.normal, edge) / length / apex(4 * f).y;
+  frame.second = edge / length - apex(4 * f).x * frame.third;
+}
+
 // The displacement as the change of the barycentric coordinates.
 inline std::array<double, 3> Surface_walker::velocity(const Face f, const Vector& displacement) const
 {
-  const Point& p = m_surface.point(Vertex(m_triangulation.source(4 * f)));
-  const Point& q = m_surface.point(Vertex(m_triangulation.source(4 * f + 1)));
-  const Vector edge = q - p;
-  const double length = edge.squared_length();
-  if(!(length > 0.))
-    return {{0., 0., 0.}};
-  const Apex& apex = m_apices[4 * f];
-  const double x = displacement * edge / length;
-  const double y = displacement * cross_product(m_normals[f], edge) / length;
-  const double third = y / apex.y, second = x - third * apex.x;
+  const double second = displacement * m_frames[f].second, third = displacement * m_frames[f].third;
   return {{-second - third, second, third}};
 }
 
@@ -196,7 +211,7 @@ inline std::array<double, 3> Surface_walker::velocity(const Face f, const Vector
 inline void Surface_walker::cross(const Index h, const Index o, std::array<double, 3>& at,
                                   std::array<double, 3>& by) const
 {
-  const Apex &left = m_apices[h], &right = m_apices[o];
+  const Apex &left = apex(h), &right = apex(o);
   const Index i = h & 3, j = o & 3;
   // The old apex in terms of the source of h, its target and the new apex: (1 - s - u, s, u). That o runs the
   // other way is why its x is taken from 1.

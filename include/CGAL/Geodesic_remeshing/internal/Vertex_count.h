@@ -276,9 +276,9 @@ inline bool Vertex_count::split(const Index h, const Index other)
   const double before = worst_around({{v, v, c, d}});
   const Index w = m_table.split(h, other);
   m_remeshed.put(w, m_remeshed.spot(v));
-  m_remeshed.put(w, m_remeshed.spot_after(w, .5 * m_remeshed.way_to_center_of_neighbors(w)));
+  m_remeshed.put(w, m_remeshed.spot_after(w, .5 * Vertex_ring(m_remeshed, w).way_to_center()));
   if(!m_remeshed.is_fixed(v))
-    m_remeshed.put(v, m_remeshed.spot_after(v, .5 * m_remeshed.way_to_center_of_neighbors(v)));
+    m_remeshed.put(v, m_remeshed.spot_after(v, .5 * Vertex_ring(m_remeshed, v).way_to_center()));
   return settle({{v, w, c, d}}, before);
 }
 

@@ -36,12 +36,25 @@ inline double add_badness(const double x, const double y)
   return y >= turned_badness ? x + y : (std::max)(x, y);
 }
 
+// The smallest angle is opposite the shortest edge; the scalar product of the edges there is (sum of squares)/2 -
+// shortest square.
+inline double product_at_smallest_angle(const double x, const double y, const double z)
+{
+  return (x + y + z) / 2. - (std::min)((std::min)(x, y), z);
+}
+
 // Of a triangle by the squares of its edges and of twice its area.
 inline double triangle_badness(const double x, const double y, const double z, const double area)
 {
-  // The smallest angle is opposite the shortest edge; the scalar product there is (sum of squares)/2 - shortest square.
-  const double product = (x + y + z) / 2. - (std::min)((std::min)(x, y), z);
+  const double product = product_at_smallest_angle(x, y, z);
   return product * product < worst_badness * area ? product * product / area : worst_badness;
+}
+
+// Whether it is below a limit; without a division.
+inline bool is_badness_below(const double limit, const double x, const double y, const double z, const double area)
+{
+  const double product = product_at_smallest_angle(x, y, z);
+  return product * product < limit * area;
 }
 
 } // namespace internal

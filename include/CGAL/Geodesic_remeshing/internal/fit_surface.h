@@ -58,7 +58,8 @@ inline void mend_fit(Remeshed_surface& remeshed)
   const double badness = badness_of_angle(30.5);
   for(int round = 0; round < rounds && Polish(remeshed).run(badness, false) > 0; ++round)
     ;
-  for(int round = 0; round < rounds && Intersection_repair(remeshed, badness).run() > 0; ++round)
+  Intersection_repair repair(remeshed);
+  for(int round = 0; round < rounds && repair.run(badness) > 0; ++round)
     ;
 }
 
@@ -77,7 +78,7 @@ inline void hold_what_intersects(Remeshed_surface& remeshed, Fit_steps& steps)
         if(!remeshed.is_free(v))
           continue;
         const Remeshed_surface::Spot spot = remeshed.spot_after(v, Vector(0., 0., 0.));
-        if(remeshed.ring_badness(v, spot, limit) <= limit)
+        if(Vertex_ring(remeshed, v).badness(spot, limit) <= limit)
           remeshed.put(v, spot);
       }
 }

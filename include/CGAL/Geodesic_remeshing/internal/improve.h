@@ -132,8 +132,9 @@ inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
 inline void part_intersections(Remeshed_surface& remeshed)
 {
   const std::array<double, 5> angles = {{30., 30., 30., 25., 20.}};
+  Intersection_repair repair(remeshed);
   for(std::size_t i = 0; i < angles.size(); ++i)
-    if(Intersection_repair(remeshed, badness_of_angle(angles[i])).run(i > 0) == 0)
+    if(repair.run(badness_of_angle(angles[i]), i > 0) == 0)
       break;
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -93,17 +94,14 @@ inline std::vector<Quadric> quadrics(const Remeshed_surface& remeshed, const Nea
 
 // Where the input is coarser than the triangulation most vertices are the nearest of none of the input's. Then the
 // planes at the neighbours tell where its edges are: a vertex beside one comes to lie on it.
-inline Quadric quadric_of_neighbors(const Remeshed_surface& remeshed, const Lean_triangulation::Index v)
+inline Quadric quadric_of_neighbors(const Remeshed_surface::Spot& spot, const Vertex_ring& ring)
 {
-  const Remeshed_surface::Spot& spot = remeshed.spot(v);
   Quadric quadric;
   quadric.from = spot.point;
   quadric.add(spot.normal, 0., 1.);
-  remeshed.connectivity().for_each_neighbor(v, [&](const Lean_triangulation::Index w) {
-    const Remeshed_surface::Spot& other = remeshed.spot(w);
-    if(other.normal * spot.normal >= 0.)
-      quadric.add(other.normal, (other.point - spot.point) * other.normal, 1.);
-  });
+  for(std::size_t i = 0; i < ring.size(); ++i)
+    if(ring[i].normal * spot.normal >= 0.)
+      quadric.add(ring[i].normal, (ring[i].point - spot.point) * ring[i].normal, 1.);
   return quadric;
 }
 
@@ -123,12 +121,13 @@ inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Qu
   {
     if(table.is_removed(v) || remeshed.is_fixed(v))
       continue;
-    const Vector way = remeshed.way_to_center_of_neighbors(v);
+    const Vertex_ring ring(remeshed, v);
+    const Vector way = ring.way_to_center();
     const Point& point = remeshed.spot(v).point;
     const bool has_cell = quadric[v].weight > 0., has_neighbors_only = !has_cell && !remeshed.is_on_line(v);
-    try_way(remeshed, v,
+    try_way(remeshed, v, ring,
             has_cell             ? quadric[v].least(point, way, pull)
-            : has_neighbors_only ? quadric_of_neighbors(remeshed, v).least(point, way, pull_among_neighbors)
+            : has_neighbors_only ? quadric_of_neighbors(remeshed.spot(v), ring).least(point, way, pull_among_neighbors)
                                  : way);
   }
 }
