@@ -23,7 +23,8 @@ int main(int argc, char* argv[])
   }
 
   GR::Stage_results results;
-  const GR::Summary summary = CGAL::geodesic_remeshing(mesh, 3000, out, GR::parameters::stage_results(std::ref(results)));
+  const GR::Summary summary =
+      CGAL::geodesic_remeshing(mesh, 3000, out, GR::parameters::stage_results(std::ref(results)));
   std::cout << "working surface: " << results.working_surface.number_of_vertices() << " vertices\n"
             << "regions: " << summary.number_of_regions << "\n"
             << "curves: " << results.curves.size() << ", with " << results.samples.size() << " samples\n"

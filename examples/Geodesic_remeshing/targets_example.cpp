@@ -25,7 +25,8 @@ int main(int argc, char* argv[])
   std::cout << out.number_of_vertices() << " vertices\n"; // 3000
 
   CGAL::geodesic_remeshing(mesh, GR::Number_of_faces{3000}, out);
-  std::cout << out.number_of_faces() << " faces\n"; // 3000; an odd number can be reached only on a surface with boundary
+  std::cout << out.number_of_faces()
+            << " faces\n"; // 3000; an odd number can be reached only on a surface with boundary
 
   // in place: the mesh itself is replaced
   const GR::Summary summary = CGAL::geodesic_remeshing(mesh, GR::Edge_length{.02});

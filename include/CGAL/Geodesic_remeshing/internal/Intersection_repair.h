@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,9 @@ class Intersection_repair
 public:
   using Index = Lean_triangulation::Index;
 
-  explicit Intersection_repair(Remeshed_surface& remeshed) : m_remeshed(remeshed), m_table(remeshed.connectivity()) {}
+  explicit Intersection_repair(Remeshed_surface& remeshed)
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_failures(m_table.vertex_slots(), 0)
+  {}
 
   // Returns the number of intersections found before; `mendable` is the worst triangle that a change may make. Vertices
   // that hold a tip give way only if they are let go. Only the first run searches everywhere: nothing but runs may
@@ -40,20 +43,25 @@ public:
 private:
   using Pair = Intersection_search::Pair;
 
+  static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
   void mend(const Pair& faces);
   std::vector<Index> corners_of(const Pair& faces) const;
   void move_apart(Index v);
   void flip_apart(Index h);
   void gather(const Pair& faces);
   std::vector<Pair> find_pairs() const;
-  Kernel::Triangle_3 triangle(const Index f) const { return triangle_of(m_remeshed, f); }
-  std::size_t intersections(Index f) const;
-  std::size_t intersections_of_ring(Index v) const;
+  void put(Index v, const Remeshed_surface::Spot& spot);
+  void update_box(Index f);
+  std::size_t intersections(Index f, std::size_t limit) const;
+  std::size_t intersections_of_ring(Index v, std::size_t limit) const;
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
-  std::vector<Index> m_zone;    // the faces around the pair
-  std::vector<Index> m_changed; // vertices at which something may have changed in the last run
+  std::vector<Index> m_zone;             // the faces around the pair
+  std::vector<Face_box> m_boxes;         // of them
+  std::vector<Index> m_changed;          // vertices at which something may have changed in the last run
+  std::vector<unsigned char> m_failures; // times that moving a vertex did not help in this run
   double m_mendable = 0.;
   bool m_is_first = true;
 };
@@ -68,22 +76,37 @@ inline void Intersection_repair::gather(const Pair& faces)
       });
   std::sort(m_zone.begin(), m_zone.end());
   m_zone.erase(std::unique(m_zone.begin(), m_zone.end()), m_zone.end());
+  m_boxes.clear();
+  for(const Index f : m_zone)
+    m_boxes.push_back(box_of(m_remeshed, f));
 }
 
-// With the faces of the zone.
-inline std::size_t Intersection_repair::intersections(const Index f) const
+inline void Intersection_repair::update_box(const Index f)
 {
-  const Bbox_3 box = triangle(f).bbox();
+  m_boxes[std::lower_bound(m_zone.begin(), m_zone.end(), f) - m_zone.begin()] = box_of(m_remeshed, f);
+}
+
+inline void Intersection_repair::put(const Index v, const Remeshed_surface::Spot& spot)
+{
+  m_remeshed.put(v, spot);
+  m_table.for_each_outgoing(v, [&](const Index h) { update_box(Lean_triangulation::face(h)); });
+}
+
+// With the faces of the zone; no more are counted than a limit.
+inline std::size_t Intersection_repair::intersections(const Index f, const std::size_t limit) const
+{
+  const Face_box box = box_of(m_remeshed, f);
   std::size_t number = 0;
-  for(const Index g : m_zone)
-    number += f != g && do_overlap(box, triangle(g).bbox()) && do_faces_intersect(m_remeshed, f, g);
+  for(std::size_t i = 0; i < m_zone.size() && number < limit; ++i)
+    number += f != m_zone[i] && do_overlap(box, m_boxes[i]) && do_faces_intersect(m_remeshed, f, m_zone[i]);
   return number;
 }
 
-inline std::size_t Intersection_repair::intersections_of_ring(const Index v) const
+inline std::size_t Intersection_repair::intersections_of_ring(const Index v, const std::size_t limit) const
 {
   std::size_t number = 0;
-  m_table.for_each_outgoing(v, [&](const Index h) { number += intersections(Lean_triangulation::face(h)); });
+  m_table.for_each_outgoing(
+      v, [&](const Index h) { number += intersections(Lean_triangulation::face(h), limit - number); });
   return number;
 }
 
@@ -92,22 +115,26 @@ inline std::size_t Intersection_repair::intersections_of_ring(const Index v) con
 inline void Intersection_repair::move_apart(const Index v)
 {
   constexpr std::array<double, 6> steps = {{.1, -.1, .25, -.25, .5, -.5}};
-  if(m_remeshed.is_fixed(v))
+  constexpr unsigned char last_failure = 3; // where much intersects a vertex belongs to many pairs
+  if(m_remeshed.is_fixed(v) || m_failures[v] == last_failure)
     return;
-  std::size_t number = intersections_of_ring(v);
+  std::size_t number = intersections_of_ring(v, unlimited);
+  const std::size_t before = number;
   const double limit = (std::max)(m_mendable, m_remeshed.ring_badness(v));
   for(const double step : steps)
     m_table.for_each_neighbor(v, [&](const Index w) {
       if(number == 0)
         return;
       const Remeshed_surface::Spot old = m_remeshed.spot(v);
-      m_remeshed.put(v, m_remeshed.spot_after(v, step * (m_remeshed.spot(w).point - old.point)));
-      const std::size_t left = m_remeshed.ring_badness(v) <= limit ? intersections_of_ring(v) : number;
+      put(v, m_remeshed.spot_after(v, step * (m_remeshed.spot(w).point - old.point)));
+      const std::size_t left = m_remeshed.ring_badness(v) <= limit ? intersections_of_ring(v, number) : number;
       if(left < number)
         number = left;
       else
-        m_remeshed.put(v, old);
+        put(v, old);
     });
+  if(number == before)
+    ++m_failures[v];
 }
 
 inline void Intersection_repair::flip_apart(const Index h)
@@ -121,11 +148,17 @@ inline void Intersection_repair::flip_apart(const Index h)
   if(after > (std::max)(before, m_mendable))
     return;
   m_changed.insert(m_changed.end(), {a, b, c, d});
-  const std::size_t number = intersections(f) + intersections(g);
+  const std::size_t number = intersections(f, unlimited) + intersections(g, unlimited);
   m_remeshed.record();
   m_table.flip(h);
-  if(intersections(f) + intersections(g) >= number)
+  update_box(f);
+  update_box(g);
+  if(intersections(f, number) + intersections(g, number) >= number)
+  {
     m_remeshed.undo_to({0, 0});
+    update_box(f);
+    update_box(g);
+  }
   m_remeshed.forget();
 }
 
@@ -172,6 +205,7 @@ inline std::size_t Intersection_repair::run(const double mendable, const bool do
   const std::vector<Pair> pairs = find_pairs();
   m_is_first = false;
   m_changed.clear();
+  std::fill(m_failures.begin(), m_failures.end(), static_cast<unsigned char>(0));
   m_mendable = mendable;
   for(const Pair& pair : pairs)
   {

@@ -12,7 +12,6 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Triangle_3.h>
 #include <CGAL/intersections.h>
 
@@ -39,6 +38,53 @@ inline Vector normal_of(const Remeshed_surface& remeshed, const Lean_triangulati
   return cross_product(t[1] - t[0], t[2] - t[0]);
 }
 
+struct Face_box
+{
+  std::array<double, 3> low = {{infinity, infinity, infinity}}, high = {{-infinity, -infinity, -infinity}};
+};
+
+inline Face_box box_of(const Remeshed_surface& remeshed, const Lean_triangulation::Index f)
+{
+  Face_box box;
+  for(Lean_triangulation::Index h = 4 * f; h < 4 * f + 3; ++h)
+    for(int i = 0; i < 3; ++i)
+    {
+      const double x = remeshed.spot(remeshed.connectivity().source(h)).point[i];
+      box.low[i] = (std::min)(box.low[i], x);
+      box.high[i] = (std::max)(box.high[i], x);
+    }
+  return box;
+}
+
+inline bool do_overlap(const Face_box& a, const Face_box& b)
+{
+  for(int i = 0; i < 3; ++i)
+    if(a.low[i] > b.high[i] || b.low[i] > a.high[i])
+      return false;
+  return true;
+}
+
+// By a plane across the way between the centers, with a distance far above the rounding.
+inline bool are_apart(const Remeshed_surface& remeshed, const Lean_triangulation::Index f,
+                      const Lean_triangulation::Index g)
+{
+  using Index = Lean_triangulation::Index;
+  const auto point = [&](const Index h) -> const Point& {
+    return remeshed.spot(remeshed.connectivity().source(h)).point;
+  };
+  const Point& origin = point(4 * f);
+  Vector way(0., 0., 0.);
+  for(Index i = 0; i < 3; ++i)
+    way = way + (point(4 * g + i) - point(4 * f + i));
+  double end = -infinity, start = infinity;
+  for(Index i = 0; i < 3; ++i)
+  {
+    end = (std::max)(end, (point(4 * f + i) - origin) * way);
+    start = (std::min)(start, (point(4 * g + i) - origin) * way);
+  }
+  return start - end > 1e-3 * way.squared_length();
+}
+
 // Whether two faces have more in common than their vertices. Two that share an edge do so only if one lies on the
 // other, which is a turned face.
 inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_triangulation::Index f,
@@ -56,7 +102,7 @@ inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_tria
         k = j;
       }
   // In a fan, or a fold as blunt as a right angle, those that share a vertex do not: nearly all that are asked for.
-  if(shared > 1 || (shared == 1 && normal_of(remeshed, f) * normal_of(remeshed, g) > 0.))
+  if(shared > 1 || (shared == 1 ? normal_of(remeshed, f) * normal_of(remeshed, g) > 0. : are_apart(remeshed, f, g)))
     return false;
   const Kernel::Triangle_3 s = triangle_of(remeshed, f), t = triangle_of(remeshed, g);
   if(s.is_degenerate() || t.is_degenerate())
@@ -94,12 +140,12 @@ bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& ve
     around.erase(std::unique(around.begin(), around.end()), around.end());
     add_faces();
   }
-  std::vector<Bbox_3> boxes;
+  std::vector<Face_box> boxes;
   for(const Index f : faces)
-    boxes.push_back(triangle_of(remeshed, f).bbox());
+    boxes.push_back(box_of(remeshed, f));
   for(const Index f : changed)
   {
-    const Bbox_3 box = triangle_of(remeshed, f).bbox();
+    const Face_box box = box_of(remeshed, f);
     for(std::size_t i = 0; i < faces.size(); ++i)
       if(f != faces[i] && do_overlap(box, boxes[i]) && do_faces_intersect(remeshed, f, faces[i]))
         return true;
@@ -125,17 +171,12 @@ public:
   std::vector<Pair> run(const std::vector<Index>& suspects);
 
 private:
-  struct Box
-  {
-    std::array<double, 3> low, high;
-  };
+  using Box = Face_box;
 
-  Box box_of(Index f) const;
   Box bounds(std::size_t begin, std::size_t end) const;
   void divide(std::size_t begin, std::size_t end, const Box& part);
   void test_all(std::size_t begin, std::size_t end, const Box& part);
   bool do_boxes_overlap(Index f, Index g, const Box& part) const;
-  bool are_apart(Index f, Index g) const;
   bool is_suspect(const Index f) const { return m_suspects.empty() || m_suspects[f]; }
 
   const Remeshed_surface& m_remeshed;
@@ -146,22 +187,9 @@ private:
   std::vector<Pair> m_pairs;
 };
 
-inline Intersection_search::Box Intersection_search::box_of(const Index f) const
-{
-  Box box{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}};
-  for(Index h = 4 * f; h < 4 * f + 3; ++h)
-    for(int i = 0; i < 3; ++i)
-    {
-      const double x = m_remeshed.spot(m_table.source(h)).point[i];
-      box.low[i] = (std::min)(box.low[i], x);
-      box.high[i] = (std::max)(box.high[i], x);
-    }
-  return box;
-}
-
 inline Intersection_search::Box Intersection_search::bounds(const std::size_t begin, const std::size_t end) const
 {
-  Box all{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}};
+  Box all;
   for(std::size_t k = begin; k < end; ++k)
     for(int i = 0; i < 3; ++i)
     {
@@ -222,36 +250,13 @@ inline bool Intersection_search::do_boxes_overlap(const Index f, const Index g, 
   return true;
 }
 
-// By a plane across the way between the centers, with a distance far above the rounding. Of faces that share a vertex,
-// most of those that are near to each other, no plane does.
-inline bool Intersection_search::are_apart(const Index f, const Index g) const
-{
-  for(Index i = 4 * f; i < 4 * f + 3; ++i)
-    for(Index j = 4 * g; j < 4 * g + 3; ++j)
-      if(m_table.source(i) == m_table.source(j))
-        return false;
-  const auto point = [&](const Index h) -> const Point& { return m_remeshed.spot(m_table.source(h)).point; };
-  const Point& origin = point(4 * f);
-  Vector way(0., 0., 0.);
-  for(Index i = 0; i < 3; ++i)
-    way = way + (point(4 * g + i) - point(4 * f + i));
-  double end = -infinity, start = infinity;
-  for(Index i = 0; i < 3; ++i)
-  {
-    end = (std::max)(end, (point(4 * f + i) - origin) * way);
-    start = (std::min)(start, (point(4 * g + i) - origin) * way);
-  }
-  return start - end > 1e-3 * way.squared_length();
-}
-
 inline void Intersection_search::test_all(const std::size_t begin, const std::size_t end, const Box& part)
 {
   for(std::size_t k = begin; k < end; ++k)
     for(std::size_t l = begin; l < k; ++l)
     {
       const Index f = m_faces[l], g = m_faces[k];
-      if((is_suspect(f) || is_suspect(g)) && do_boxes_overlap(f, g, part) && !are_apart(f, g) &&
-         do_faces_intersect(m_remeshed, f, g))
+      if((is_suspect(f) || is_suspect(g)) && do_boxes_overlap(f, g, part) && do_faces_intersect(m_remeshed, f, g))
         m_pairs.push_back(std::minmax(f, g));
     }
 }
@@ -271,7 +276,7 @@ inline std::vector<Intersection_search::Pair> Intersection_search::run()
   for(Index f = 0; f < m_table.face_slots(); ++f)
     if(!m_table.is_removed_face(f))
     {
-      m_boxes[f] = box_of(f);
+      m_boxes[f] = box_of(m_remeshed, f);
       m_faces.push_back(f);
     }
   divide(0, m_faces.size(), {{{-infinity, -infinity, -infinity}}, {{infinity, infinity, infinity}}});

@@ -88,9 +88,9 @@ inline double Vertex_ring::badness(const Spot& spot, const double limit) const
   double sum = m_remeshed.may_be_at(m_vertex, spot) ? 0. : turned_badness;
   for_each_triangle(spot, [&](const Spot& v, const Spot& w, const double x, const double y, const double z,
                               const Vector& normal) {
-    sum = add_badness(sum, m_remeshed.is_turned(spot, v, w, normal)
-                               ? turned_badness
-                               : triangle_badness(x, y, z, normal.squared_length()));
+    sum =
+        add_badness(sum, m_remeshed.is_turned(spot, v, w, normal) ? turned_badness
+                                                                  : triangle_badness(x, y, z, normal.squared_length()));
     return sum <= limit;
   });
   return sum;
@@ -129,7 +129,10 @@ inline Vector Vertex_ring::way_to_center() const
   return .5 * (way + along);
 }
 
-inline double Remeshed_surface::ring_badness(const Index v) const { return Vertex_ring(*this, v).badness(); }
+inline double Remeshed_surface::ring_badness(const Index v) const
+{
+  return Vertex_ring(*this, v).badness();
+}
 
 } // namespace internal
 } // namespace Geodesic_remeshing
