@@ -34,6 +34,7 @@
 #include <cmath>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 
@@ -312,6 +313,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   check_scale(goal.mean_edge_length);
   check_thinness(surface, goal.mean_edge_length, goal.number_of_vertices);
   const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
+  release(input.edges_in_order);
 
   clock.stage("refinement", .05);
   Working_surface working;
@@ -334,34 +336,39 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh);
   auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
   Fast_marching& marching = *marching_memory;
-  const Fronts_and_components fronts = march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching);
-  const std::vector<double> distance = distances_in(marching, pieces.mesh);
+  Fronts_and_components fronts = march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching);
+  std::vector<double> distance = distances_in(marching, pieces.mesh);
   keep_working_surface(pieces.mesh, distance, kept);
 
   clock.stage("regions", .2);
-  const Segmentation segmentation =
+  Segmentation segmentation =
       segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
   keep_regions(pieces.mesh, segmentation, kept);
-
-  clock.stage("curves", .3);
-  const Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
-  keep_curves(pieces.mesh, curves, kept);
-
-  clock.stage("samples", .35);
+  summary.number_of_regions = segmentation.regions.size();
   Line_samples on_lines;
-  on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
   if(!lines.empty())
     on_lines.distance = distances_from_lines(pieces.mesh, marching, 2. * edge_length);
-  marching_memory.reset(); // the largest of what the stages make, and needed no more
-  triangulation.reset();
-  const std::vector<Sample> samples =
+  release(marching_memory, triangulation); // the largest of what the stages make
+  release(distance, fronts.component_of, fronts.closed, fronts.open);
+
+  clock.stage("curves", .3);
+  Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
+  keep_curves(pieces.mesh, curves, kept);
+  summary.number_of_curves = curves.curves.size();
+  summary.number_of_strips = find_strips(pieces.mesh, curves).second;
+
+  clock.stage("samples", .35);
+  on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
+  std::vector<Sample> samples =
       sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots, budget.curve_edge_length, n);
   keep_samples(samples, kept);
+  release(curves, on_lines);
+  if(!wants_regions)
+    release(segmentation, cut.mesh);
 
   clock.stage("strips", .45);
-  summary.number_of_strips = find_strips(pieces.mesh, curves).second;
   Placed_mesh remeshed;
-  triangulate_strips(surface, working, samples, edge_length, remeshed);
+  triangulate_strips(surface, working, std::move(samples), edge_length, remeshed);
   keep_strips(remeshed.mesh, kept);
 
   clock.stage("improvement", .55);
@@ -393,8 +400,6 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
   summary.number_of_faces = remeshed.mesh.number_of_faces();
   summary.edge_length = goal.mean_edge_length;
-  summary.number_of_regions = segmentation.regions.size();
-  summary.number_of_curves = curves.curves.size();
   return summary;
 }
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_COMPONENT_EXTENT_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_COMPONENT_EXTENT_H
 
+#include <CGAL/Geodesic_remeshing/internal/Component_numbers.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -60,42 +62,27 @@ struct Extent
   }
 };
 
-inline std::vector<std::size_t> components_of(const Mesh& mesh, std::size_t& number)
+inline std::vector<std::uint32_t> components_of(const Mesh& mesh, std::size_t& number)
 {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> component_of(mesh.number_of_vertices(), none);
-  std::vector<Vertex> stack;
-  number = 0;
-  for(Vertex seed : mesh.vertices())
-  {
-    if(component_of[seed] != none)
-      continue;
-    component_of[seed] = number;
-    for(stack.assign(1, seed); !stack.empty();)
-    {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-        if(component_of[mesh.source(h)] == none)
-        {
-          component_of[mesh.source(h)] = number;
-          stack.push_back(mesh.source(h));
-        }
-    }
-    ++number;
-  }
-  return component_of;
+  Component_numbers components(mesh.number_of_vertices());
+  for(Edge e : mesh.edges())
+    components.join(mesh.vertex(e, 0), mesh.vertex(e, 1));
+  return components.take(number);
 }
 
-inline std::vector<Extent> extents_of_components(const Working_surface& working)
+inline std::vector<Extent> extents_of_components(const Working_surface& working, const Constraints& constraints)
 {
   const Mesh& mesh = working.mesh;
   std::size_t number;
-  const std::vector<std::size_t> component_of = components_of(mesh, number);
+  const std::vector<std::uint32_t> component_of = components_of(mesh, number);
   std::vector<Extent> extents(number);
   const Metric metric(mesh);
   for(Vertex v : mesh.vertices())
-    ++extents[component_of[v]].euler_characteristic;
+  {
+    Extent& extent = extents[component_of[v]];
+    ++extent.euler_characteristic;
+    extent.corners += v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()] != 0;
+  }
   for(Edge e : mesh.edges())
   {
     Extent& extent = extents[component_of[mesh.vertex(e, 0)]];
@@ -123,14 +110,6 @@ inline std::vector<Extent> extents_of_components(const Working_surface& working)
     }
   }
   return extents;
-}
-
-inline void count_corners(const Mesh& mesh, const Constraints& constraints, std::vector<Extent>& extents)
-{
-  std::size_t number;
-  const std::vector<std::size_t> component_of = components_of(mesh, number);
-  for(Vertex v : mesh.vertices())
-    extents[component_of[v]].corners += v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()] != 0;
 }
 
 template <class Value>

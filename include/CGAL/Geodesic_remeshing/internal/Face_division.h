@@ -10,12 +10,13 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FACE_DIVISION_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_FACE_DIVISION_H
 
+#include <CGAL/Geodesic_remeshing/internal/Component_numbers.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -82,34 +83,22 @@ private:
 };
 
 // The strips: what the curves divide the surface into. The strip of each interval, and their number.
-inline std::pair<std::vector<std::size_t>, std::size_t> find_strips(const Mesh& mesh, const Level_curves& curves)
+inline std::pair<std::vector<std::uint32_t>, std::size_t> find_strips(const Mesh& mesh, const Level_curves& curves)
 {
-  std::vector<std::size_t> strip(curves.crossings.size() + mesh.number_of_edges());
-  std::iota(strip.begin(), strip.end(), std::size_t(0));
-  const auto find = [&](std::size_t i) {
-    while(strip[i] != i)
-      i = strip[i] = strip[strip[i]];
-    return i;
-  };
-  const auto unite = [&](std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    strip[(std::max)(i, j)] = (std::min)(i, j);
-  };
+  Component_numbers strips(curves.crossings.size() + mesh.number_of_edges());
   for(Face f : mesh.faces())
   {
     const Face_division division(mesh, curves, f);
     for(int i = 0; i < 3; ++i)
     {
       for(std::ptrdiff_t j = 0; j <= division.arcs(i); ++j)
-        unite(division.outgoing_interval(i, j), division.incoming_interval(i, j));
-      unite(division.outgoing_interval(i, division.arcs(i)), division.outgoing_interval(0, division.arcs(0)));
+        strips.join(division.outgoing_interval(i, j), division.incoming_interval(i, j));
+      strips.join(division.outgoing_interval(i, division.arcs(i)), division.outgoing_interval(0, division.arcs(0)));
     }
   }
-  std::size_t number = 0;
-  for(std::size_t i = 0; i < strip.size(); ++i)
-    strip[i] = strip[i] == i ? number++ : strip[strip[i]]; // a representative comes before the rest of its set
-  return std::make_pair(std::move(strip), number);
+  std::size_t number;
+  std::vector<std::uint32_t> strip = strips.take(number);
+  return {std::move(strip), number};
 }
 
 } // namespace internal

@@ -123,7 +123,7 @@ private:
   {
     const Region& region = m_result.regions[above];
     m_result.region[v] = splits ? static_cast<int>(m_result.regions.size()) : beside;
-    m_result.time[v] = m_result.number_of_junctions;
+    m_result.time[v] = static_cast<std::uint32_t>(m_result.number_of_junctions);
     m_fronts.take(v);
     if(m_result.field_region[v] >= 0)
       return;

@@ -166,7 +166,7 @@ public:
     for(Vertex v : open[r].waiting)
     {
       result.region[v] = r;
-      result.time[v] = region.bottom;
+      result.time[v] = static_cast<std::uint32_t>(region.bottom);
       fronts.take(v);
     }
     region.number_of_levels = (std::max)(0, deepest - 1);
@@ -208,7 +208,7 @@ private:
   void own(Vertex v, int r, double field)
   {
     result.region[v] = r;
-    result.time[v] = result.regions[r].bottom;
+    result.time[v] = static_cast<std::uint32_t>(result.regions[r].bottom);
     if(result.field_region[v] >= 0)
       return;
     result.field_region[v] = r;
@@ -288,7 +288,7 @@ private:
     const auto is_own = [&](Vertex v) { return result.region[v] == r || m_top_of[v] == r; };
     fronts.sweep(near, is_own, [&](Vertex v) {
       result.region[v] = r;
-      result.time[v] = result.regions[r].bottom;
+      result.time[v] = static_cast<std::uint32_t>(result.regions[r].bottom);
     });
     open[r].waiting.clear();
     for(Vertex v : near)

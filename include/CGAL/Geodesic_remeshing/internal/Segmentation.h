@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -56,11 +57,11 @@ struct Segmentation
   std::size_t number_of_junctions = 0;
 
   // Of each vertex:
-  std::vector<int> region;       // the region that took it; these sets are discs and annuli
-  std::vector<int> field_region; // the region that `field` counts in; differs from `region` only where a front folds
-  std::vector<double> field;     // the distance from the top of `field_region`
-  std::vector<std::size_t> time; // the number of junctions there were when it was taken
-  std::vector<int> level;        // it lies inside the curves number `level`, `level + 1`, ... of `field_region`
+  std::vector<int> region;         // the region that took it; these sets are discs and annuli
+  std::vector<int> field_region;   // the region that `field` counts in; differs from `region` only where a front folds
+  std::vector<double> field;       // the distance from the top of `field_region`
+  std::vector<std::uint32_t> time; // the number of junctions there were when it was taken
+  std::vector<int> level;          // it lies inside the curves number `level`, `level + 1`, ... of `field_region`
 
   std::vector<std::vector<Vertex>> bridges; // the spectacles' middles: from front to front through a saddle
   std::vector<Vertex> tips;                 // the maxima that are not noise: horns, ears, fingers

@@ -135,8 +135,7 @@ Vertex_budget make_budget(const Target& target, const Working_surface& working, 
                           const std::vector<Line_piece>& pieces, const Constraints& constraints)
 {
   const auto wanted = [](const Extent& e, double edge_length) { return e.wanted(edge_length); };
-  std::vector<Extent> extents = extents_of_components(working);
-  count_corners(working.mesh, constraints, extents);
+  std::vector<Extent> extents = extents_of_components(working, constraints);
   const Line_budget lines(working.mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
   const std::size_t fewest = sum_over(extents, [](const Extent& e) { return e.fewest(); });
   if(constraints.are_kept)

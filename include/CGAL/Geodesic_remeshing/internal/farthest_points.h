@@ -10,11 +10,12 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FARTHEST_POINTS_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_FARTHEST_POINTS_H
 
+#include <CGAL/Geodesic_remeshing/internal/Component_numbers.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -33,34 +34,25 @@ struct Farthest_pair
 // The component of each vertex, counted in the order of their first vertices; vertices without faces belong to none.
 struct Components
 {
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
   explicit Components(const Intrinsic_triangulation& triangulation)
-    : component_of(triangulation.number_of_vertices(), none)
   {
     using Index = Intrinsic_triangulation::Index;
-    std::vector<Index> stack;
-    for(Index v = 0; v < component_of.size(); ++v)
-    {
-      if(component_of[v] != none || triangulation.begin(v) == triangulation.end(v))
-        continue;
-      component_of[v] = first_vertex.size();
-      for(stack.assign(1, v); !stack.empty();)
-      {
-        const Index u = stack.back();
-        stack.pop_back();
-        for(auto spoke = triangulation.begin(u); spoke != triangulation.end(u); ++spoke)
-          if(component_of[spoke->neighbor] == none)
-          {
-            component_of[spoke->neighbor] = first_vertex.size();
-            stack.push_back(spoke->neighbor);
-          }
-      }
-      first_vertex.push_back(Vertex(v));
-    }
+    const Index n = static_cast<Index>(triangulation.number_of_vertices());
+    Component_numbers components(n);
+    for(Index v = 0; v < n; ++v)
+      for(auto spoke = triangulation.begin(v); spoke != triangulation.end(v); ++spoke)
+        components.join(v, spoke->neighbor);
+    std::size_t number;
+    component_of =
+        components.take(number, none, [&](const Index v) { return triangulation.begin(v) != triangulation.end(v); });
+    for(Index v = 0; v < n; ++v)
+      if(component_of[v] == first_vertex.size())
+        first_vertex.push_back(Vertex(v));
   }
 
-  std::vector<std::size_t> component_of;
+  std::vector<std::uint32_t> component_of;
   std::vector<Vertex> first_vertex;
 };
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -52,7 +53,7 @@ inline bool is_pointed(const Mesh& mesh, Vertex tip, double curve_distance)
 // so that between two parallel lines there are whole rows. Where fronts run into boundaries the segmentation has no
 // rule.
 inline void add_line_regions(const std::vector<double>& distance, const std::vector<Vertex>& starts,
-                             const std::vector<Vertex>& vertices, const std::vector<std::size_t>& component_of,
+                             const std::vector<Vertex>& vertices, const std::vector<std::uint32_t>& component_of,
                              double curve_distance, Segmentation& result)
 {
   const std::size_t n = component_of.size();
@@ -88,7 +89,7 @@ inline void add_line_regions(const std::vector<double>& distance, const std::vec
     const int r = region_of[component_of[v]];
     result.region[v] = result.field_region[v] = r;
     result.field[v] = distance[v];
-    result.time[v] = result.number_of_junctions;
+    result.time[v] = static_cast<std::uint32_t>(result.number_of_junctions);
     result.level[v] = (std::max)(1, static_cast<int>(std::ceil(distance[v] / result.regions[r].spacing - 1e-9)));
   }
 }

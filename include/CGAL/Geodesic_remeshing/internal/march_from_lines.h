@@ -14,6 +14,8 @@
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -47,7 +49,7 @@ class Line_fronts
 {
 public:
   // `component_of` a vertex; the boundary in pieces
-  Line_fronts(const Mesh& mesh, const std::vector<std::size_t>& component_of, std::size_t number_of_components,
+  Line_fronts(const Mesh& mesh, const std::vector<std::uint32_t>& component_of, std::size_t number_of_components,
               const std::vector<Line_piece>& boundary)
     : m_mesh(mesh), m_metric(mesh)
   {

@@ -22,6 +22,7 @@
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -29,6 +30,13 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // The small steps between the stages, so that the front door holds nothing but their order.
+
+// Gives back what no later stage reads: on a large mesh each array counts.
+template <class... Made>
+void release(Made&... made)
+{
+  ((made = Made()), ...);
+}
 
 // The root of each connected component (paper, section 4), and the distances from them on the working surface in
 // `marching`. Where the refinement has added many vertices the roots are sought on the surface as it came in: it
@@ -58,7 +66,7 @@ inline std::vector<double> distances_in(const Fast_marching& marching, const Mes
 // The components of a surface, closed ones apart from those with boundary, and where their fronts start
 struct Fronts_and_components
 {
-  std::vector<std::size_t> component_of;
+  std::vector<std::uint32_t> component_of;
   std::vector<Vertex> closed, open; // vertices
   std::vector<Vertex> roots;        // of the closed components
   std::vector<Vertex> starts;       // on a line of each of the others

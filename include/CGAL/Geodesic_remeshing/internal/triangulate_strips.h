@@ -74,11 +74,11 @@ inline void sort_by_place(Placed_mesh& placed)
 
 // Triangulates the strips between the curves (paper, section 6): Voronoi cells of the samples, their dual, Delaunay.
 // All strips at once, since nothing in it depends on what a strip looks like. The working surface is used up.
-inline void triangulate_strips(const Mesh& surface, Working_surface& working, const std::vector<Sample>& samples,
+inline void triangulate_strips(const Mesh& surface, Working_surface& working, std::vector<Sample> samples,
                                double edge_length, Placed_mesh& result)
 {
   // A cell that begins .15 e from its sample is the same cell, and costs no sliver
-  const std::vector<Vertex> vertices = Sample_inserter(surface, working, .15 * edge_length).run(samples);
+  std::vector<Vertex> vertices = Sample_inserter(surface, working, .15 * edge_length).run(samples);
   Cell_contractor(working.mesh, vertices, working.is_line).run();
 
   const Metric metric(surface);
@@ -101,6 +101,7 @@ inline void triangulate_strips(const Mesh& surface, Working_surface& working, co
   for(Vertex v : dual.vertices())
     if(!copy[v].is_valid())
       add(v, false);
+  samples = std::vector<Sample>(); // 100 bytes each
   const auto index = CGAL::get(boost::vertex_index, dual);
   copy_connectivity(dual, index, CGAL::get(boost::halfedge_index, dual), dual.num_halfedges(), copy, result.mesh);
   std::size_t number = 0; // the copy has the edges in the same order
