@@ -302,7 +302,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, np_in, input, true);
-  sort_in_space(input);
+  sort_in_space(input, options.concurrency);
   const Mesh& surface = input.mesh;
 
   clock.stage("sizing", .03);
@@ -333,10 +333,11 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Working_surface& pieces = cut_along_lines(working, is_corner, cut, wants_regions);
 
   clock.stage("distances", .1);
-  auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh);
+  auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh, options.concurrency);
   auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
   Fast_marching& marching = *marching_memory;
-  Fronts_and_components fronts = march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching);
+  Fronts_and_components fronts =
+      march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching, options.concurrency);
   std::vector<double> distance = distances_in(marching, pieces.mesh);
   keep_working_surface(pieces.mesh, distance, kept);
 
@@ -368,7 +369,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("strips", .45);
   Placed_mesh remeshed;
-  triangulate_strips(surface, working, std::move(samples), edge_length, remeshed);
+  triangulate_strips(surface, working, std::move(samples), edge_length, remeshed, options.concurrency);
   keep_strips(remeshed.mesh, kept);
 
   clock.stage("improvement", .55);

@@ -159,13 +159,13 @@ void copy_input(const TriangleMesh& tmesh, const NamedParameters& np, Input_surf
 
 // Renumbers the copy of a large input in a spatially coherent order.
 template <class TriangleMesh>
-void sort_in_space(Input_surface<TriangleMesh>& input)
+void sort_in_space(Input_surface<TriangleMesh>& input, const Concurrency concurrency = Concurrency())
 {
   if(!is_large(input.mesh.number_of_vertices()))
     return;
   Mesh sorted;
-  const std::vector<Vertex> order = spatial_order(input.mesh);
-  Numbering number = copy_in_order(input.mesh, order, sorted);
+  const std::vector<Vertex> order = spatial_order(input.mesh, concurrency);
+  Numbering number = copy_in_order(input.mesh, order, sorted, concurrency);
   input.mesh = std::move(sorted);
   auto vertex_of = input.vertex_of;
   for(std::size_t i = 0; i < order.size(); ++i)

@@ -10,6 +10,8 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_INTRINSIC_FACES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_INTRINSIC_FACES_H
 
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -61,7 +64,7 @@ public:
 
   // A length given by weights may be longer than the way around by the third vertex, which then is the shortest path
   // along these edges: it becomes the length. Nothing but lengths that fall: the shortest paths stay what they were.
-  void enforce_triangle_inequality();
+  void enforce_triangle_inequality(Concurrency concurrency = Concurrency());
 
   // Keeps a face as it is: its edges are not flipped.
   void freeze(Index f)
@@ -71,7 +74,7 @@ public:
   }
 
   // Flips to the intrinsic Delaunay triangulation of the same piecewise flat surface.
-  void make_Delaunay();
+  void make_Delaunay(Concurrency concurrency = Concurrency());
 
   // Zero where the face is a point or so thin that the angle is lost.
   double angle_opposite_to(Index h) const { return std::atan2(sine_of_opposite_angle(h), opposite_angle(h).cosine); }
@@ -103,6 +106,7 @@ private:
   }
 
   bool is_frozen(Index f) const { return !m_is_frozen.empty() && m_is_frozen[f]; }
+  bool violates_triangle_inequality(Index f) const;
   bool must_flip(Index h) const;
   double length_after_flip(Index h) const;
   void flip(Index h);
@@ -181,13 +185,20 @@ inline void Intrinsic_faces::flip(Index h)
 // In exact arithmetic flipping ends by itself, as each flip lowers the Dirichlet energy of every function on the
 // vertices. Rounding could make it turn in a circle, hence a bound; a triangulation that is not quite Delaunay serves
 // as well.
-inline void Intrinsic_faces::make_Delaunay()
+inline void Intrinsic_faces::make_Delaunay(const Concurrency concurrency)
 {
-  std::vector<Index> pending;
-  const Index number_of_halfedges = static_cast<Index>(3 * m_triangles.size());
-  for(Index h = 0; h < number_of_halfedges; ++h)
-    if(is_face(h / 3) && h < opposite(h) && must_flip(h))
-      pending.push_back(h);
+  const auto find = [&](const std::size_t begin, const std::size_t end) {
+    std::vector<Index> found;
+    for(Index h = static_cast<Index>(begin); h < end; ++h)
+      if(is_face(h / 3) && h < opposite(h) && must_flip(h))
+        found.push_back(h);
+    return found;
+  };
+  const auto append = [](std::vector<Index> all, const std::vector<Index>& found) {
+    all.insert(all.end(), found.begin(), found.end());
+    return all;
+  };
+  std::vector<Index> pending = parallel_reduce(concurrency, 3 * m_triangles.size(), std::vector<Index>(), find, append);
 
   for(std::size_t flips_left = 100 * m_triangles.size(); !pending.empty() && flips_left > 0;)
   {
@@ -203,8 +214,22 @@ inline void Intrinsic_faces::make_Delaunay()
   }
 }
 
-inline void Intrinsic_faces::enforce_triangle_inequality()
+inline bool Intrinsic_faces::violates_triangle_inequality(const Index f) const
 {
+  const auto& length = m_triangles[f].length;
+  return length[0] > length[1] + length[2] || length[1] > length[2] + length[0] || length[2] > length[0] + length[1];
+}
+
+inline void Intrinsic_faces::enforce_triangle_inequality(const Concurrency concurrency)
+{
+  const auto violate = [&](const std::size_t begin, const std::size_t end) {
+    for(Index f = static_cast<Index>(begin); f < end; ++f)
+      if(violates_triangle_inequality(f))
+        return char(1);
+    return char(0);
+  };
+  if(!parallel_reduce(concurrency, m_triangles.size(), char(0), violate, std::bit_or<>()))
+    return;
   std::vector<Index> pending;
   const auto repair = [&](Index f) {
     Triangle& t = m_triangles[f];

@@ -12,13 +12,15 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Intrinsic_faces.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -46,13 +48,15 @@ public:
   };
 
   // The surface as it lies in space, or in the metric of its density.
-  explicit Intrinsic_triangulation(const Mesh& mesh)
-    : Intrinsic_triangulation(mesh, [metric = Metric(mesh)](Halfedge h) { return metric.length(h); })
+  explicit Intrinsic_triangulation(const Mesh& mesh, const Concurrency concurrency = Concurrency())
+    : Intrinsic_triangulation(
+          mesh, [metric = Metric(mesh)](Halfedge h) { return metric.length(h); }, concurrency)
   {}
 
   // The surface in a metric of its own: a length for every edge, by index.
   Intrinsic_triangulation(const Mesh& mesh, const std::vector<double>& length_of_edge)
-    : Intrinsic_triangulation(mesh, [&](Halfedge h) { return length_of_edge[mesh.edge(h)]; })
+    : Intrinsic_triangulation(
+          mesh, [&](Halfedge h) { return length_of_edge[mesh.edge(h)]; }, Concurrency())
   {}
 
   // Any triangulated `FaceListGraph`, its indices possibly with gaps. A halfedge and its opposite must have the same
@@ -68,7 +72,7 @@ public:
     for(const std::size_t f : frozen_faces)
       copy.freeze(static_cast<Index>(f));
     copy.make_Delaunay();
-    collect_spokes(copy);
+    collect_spokes(copy, Concurrency());
   }
 
   std::size_t number_of_vertices() const { return m_rings.size() - 1; }
@@ -84,9 +88,15 @@ public:
 
 private:
   template <typename Length_of_halfedge>
-  Intrinsic_triangulation(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge)
-    : Intrinsic_triangulation(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), length_of_halfedge)
-  {}
+  Intrinsic_triangulation(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge, const Concurrency concurrency)
+  {
+    CGAL_precondition(!mesh.has_garbage());
+    Intrinsic_faces copy(mesh.num_vertices(), mesh.num_faces());
+    copy_faces(mesh, length_of_halfedge, concurrency, copy);
+    copy.enforce_triangle_inequality(concurrency);
+    copy.make_Delaunay(concurrency);
+    collect_spokes(copy, concurrency);
+  }
 
   template <typename Range, typename IndexMap>
   static std::size_t index_bound(const Range& range, IndexMap index)
@@ -100,6 +110,10 @@ private:
   template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
   static void copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
                          const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& copy);
+  template <typename Length_of_halfedge>
+  static void copy_faces(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge, Concurrency concurrency,
+                         Intrinsic_faces& copy);
+  struct Fans;
   struct Ring
   {
     double full_angle;
@@ -112,10 +126,11 @@ private:
     Index halfedge;
   };
 
-  void collect_spokes(const Intrinsic_faces& faces);
-  void collect_fan(const Intrinsic_faces& faces, Index start, std::vector<Index>& spoke_of,
-                   std::vector<Open_end>& ends);
-  void link_spokes(const Intrinsic_faces& faces, const std::vector<Index>& spoke_of, const std::vector<Open_end>& ends);
+  void collect_spokes(const Intrinsic_faces& faces, Concurrency concurrency);
+  Index collect_fan(const Intrinsic_faces& faces, Index v, Index start, Index spoke, std::vector<Index>& spoke_of,
+                    std::vector<Open_end>& ends);
+  void link_spokes(const Intrinsic_faces& faces, const std::vector<Index>& spoke_of, const std::vector<Open_end>& ends,
+                   Concurrency concurrency);
 
   std::vector<Ring> m_rings; // one more than there are vertices
   std::vector<Spoke> m_spokes;
@@ -150,84 +165,140 @@ void Intrinsic_triangulation::copy_faces(const Graph& graph, VertexIndexMap vert
   }
 }
 
-// A fan of faces is walked from its first halfedge, the one with no face at its right, or from any one where it closes.
-inline void Intrinsic_triangulation::collect_spokes(const Intrinsic_faces& faces)
+// The same for a `Surface_mesh`, face by face: both sides of an edge are asked for its length, which is the same.
+template <typename Length_of_halfedge>
+void Intrinsic_triangulation::copy_faces(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge,
+                                         const Concurrency concurrency, Intrinsic_faces& copy)
 {
-  const Index none = Intrinsic_faces::none;
-  const Index number_of_halfedges = static_cast<Index>(3 * faces.number_of_faces());
-  std::vector<Index> start(faces.number_of_vertices(), none);
+  parallel_for(concurrency, mesh.num_faces(), [&](const std::size_t i) {
+    const Face f(static_cast<Index>(i));
+    auto& triangle = copy.triangle(static_cast<Index>(i));
+    Halfedge h = mesh.halfedge(f);
+    for(Index k = 0; k < 3; ++k, h = mesh.next(h))
+    {
+      triangle.vertex[k] = mesh.source(h);
+      triangle.length[k] = length_of_halfedge(h);
+      const Halfedge o = mesh.opposite(h);
+      if(mesh.is_border(o))
+        continue;
+      const Halfedge first = mesh.halfedge(mesh.face(o));
+      triangle.opposite[k] = 3 * mesh.face(o) + (o == first ? 0 : o == mesh.next(first) ? 1 : 2);
+    }
+  });
+}
+
+// A fan of faces is walked from its first halfedge, the one with no face at its right, or from any one where it closes.
+struct Intrinsic_triangulation::Fans
+{
+  explicit Fans(const Intrinsic_faces& faces);
+
+  static constexpr Index none = Intrinsic_faces::none;
+  std::vector<Index> start;                         // of a vertex
   std::vector<std::pair<Index, Index>> more_starts; // vertices at which several fans meet have more than one
+  std::vector<Index> number_of_spokes;              // of a vertex: one more than halfedges for each fan
+};
+
+inline Intrinsic_triangulation::Fans::Fans(const Intrinsic_faces& faces)
+  : start(faces.number_of_vertices(), none), number_of_spokes(faces.number_of_vertices(), 0)
+{
+  const Index number_of_halfedges = static_cast<Index>(3 * faces.number_of_faces());
   for(Index h = 0; h < number_of_halfedges; ++h)
   {
     if(!faces.is_face(h / 3))
       continue;
     const Index v = faces.source(h);
+    number_of_spokes[v] += start[v] == none ? 2 : 1;
     if(faces.opposite(h) != none)
       start[v] = start[v] == none ? h : start[v];
     else if(start[v] == none || faces.opposite(start[v]) != none)
       start[v] = h;
     else
+    {
       more_starts.emplace_back(v, h);
+      ++number_of_spokes[v];
+    }
   }
   std::sort(more_starts.begin(), more_starts.end());
-
-  std::vector<Index> spoke_of(number_of_halfedges); // the spoke that a halfedge became
-  std::vector<Open_end> ends;
-  m_rings.reserve(start.size() + 1);
-  m_spokes.reserve(number_of_halfedges + start.size() + more_starts.size());
-  auto more = more_starts.begin();
-  for(Index v = 0; v < start.size(); ++v)
-  {
-    m_rings.push_back(Ring{infinity, static_cast<Index>(m_spokes.size())});
-    if(start[v] != none)
-      collect_fan(faces, start[v], spoke_of, ends);
-    for(; more != more_starts.end() && more->first == v; ++more)
-      collect_fan(faces, more->second, spoke_of, ends);
-  }
-  m_rings.push_back(Ring{infinity, static_cast<Index>(m_spokes.size())});
-  link_spokes(faces, spoke_of, ends);
 }
 
-inline void Intrinsic_triangulation::collect_fan(const Intrinsic_faces& faces, Index start,
-                                                 std::vector<Index>& spoke_of, std::vector<Open_end>& ends)
+inline void Intrinsic_triangulation::collect_spokes(const Intrinsic_faces& faces, const Concurrency concurrency)
+{
+  const Fans fans(faces);
+  const Index n = static_cast<Index>(fans.start.size());
+  m_rings.resize(n + 1);
+  Index first = 0;
+  for(Index v = 0; v < n; first += fans.number_of_spokes[v++])
+    m_rings[v] = Ring{infinity, first};
+  m_rings[n] = Ring{infinity, first};
+  m_spokes.resize(first);
+  std::vector<Index> spoke_of(3 * faces.number_of_faces()); // the spoke that a halfedge became
+  const auto collect = [&](const std::size_t begin, const std::size_t end) {
+    std::vector<Open_end> ends;
+    auto more = std::lower_bound(fans.more_starts.begin(), fans.more_starts.end(),
+                                 std::make_pair(static_cast<Index>(begin), Index(0)));
+    for(Index v = static_cast<Index>(begin); v < end; ++v)
+    {
+      if(fans.start[v] == Fans::none)
+        continue;
+      Index spoke = collect_fan(faces, v, fans.start[v], m_rings[v].first, spoke_of, ends);
+      for(; more != fans.more_starts.end() && more->first == v; ++more)
+        spoke = collect_fan(faces, v, more->second, spoke, spoke_of, ends);
+      for(; spoke < m_rings[v + 1].first; ++spoke) // closed fans beside the first are left out: these lead nowhere
+        m_spokes[spoke] = Spoke{infinity, -1., 0., v, fans.start[v]};
+    }
+    return ends;
+  };
+  const auto append = [](std::vector<Open_end> ends, const std::vector<Open_end>& more) {
+    ends.insert(ends.end(), more.begin(), more.end());
+    return ends;
+  };
+  link_spokes(faces, spoke_of, parallel_reduce(concurrency, n, std::vector<Open_end>(), collect, append), concurrency);
+}
+
+// Returns the next spoke.
+inline Intrinsic_triangulation::Index Intrinsic_triangulation::collect_fan(const Intrinsic_faces& faces, const Index v,
+                                                                           const Index start, Index spoke,
+                                                                           std::vector<Index>& spoke_of,
+                                                                           std::vector<Open_end>& ends)
 {
   // what comes from one fan into another comes through the vertex: half a turn or more
-  double angle = m_spokes.size() > m_rings.back().first ? m_spokes.back().angle + CGAL_PI : 0.;
+  double angle = spoke > m_rings[v].first ? m_spokes[spoke - 1].angle + CGAL_PI : 0.;
   // until the spokes are linked, `reverse` holds the halfedge
   const auto add = [&](double length, double rim, Index neighbor, Index halfedge) {
-    m_spokes.push_back(Spoke{length, rim, angle, neighbor, halfedge});
+    m_spokes[spoke++] = Spoke{length, rim, angle, neighbor, halfedge};
   };
 
   for(Index h = start;;)
   {
     const Index rim = Intrinsic_faces::next(h);
     const Index left = Intrinsic_faces::previous(h);
-    spoke_of[h] = static_cast<Index>(m_spokes.size());
+    spoke_of[h] = spoke;
     add(faces.length(h), faces.length(rim), faces.source(rim), h);
     angle += faces.angle_opposite_to(rim);
     h = faces.opposite(left);
     if(h == Intrinsic_faces::none)
     {
-      ends.push_back(Open_end{static_cast<Index>(m_spokes.size()), left});
-      return add(faces.length(left), -1., faces.source(left), left);
+      ends.push_back(Open_end{spoke, left});
+      add(faces.length(left), -1., faces.source(left), left);
+      return spoke;
     }
     if(h == start)
     {
-      m_rings.back().full_angle = angle;
-      return add(faces.length(start), -1., faces.source(Intrinsic_faces::next(start)), start);
+      m_rings[v].full_angle = angle;
+      add(faces.length(start), -1., faces.source(Intrinsic_faces::next(start)), start);
+      return spoke;
     }
   }
 }
 
 inline void Intrinsic_triangulation::link_spokes(const Intrinsic_faces& faces, const std::vector<Index>& spoke_of,
-                                                 const std::vector<Open_end>& ends)
+                                                 const std::vector<Open_end>& ends, const Concurrency concurrency)
 {
-  for(Spoke& spoke : m_spokes)
-  {
-    const Index o = faces.opposite(spoke.reverse);
+  parallel_for(concurrency, m_spokes.size(), [&](const std::size_t i) {
+    const Index o = faces.opposite(m_spokes[i].reverse);
     if(o != Intrinsic_faces::none)
-      spoke.reverse = spoke_of[o];
-  }
+      m_spokes[i].reverse = spoke_of[o];
+  });
   for(const Open_end& end : ends)
   {
     m_spokes[end.spoke].reverse = spoke_of[end.halfedge];

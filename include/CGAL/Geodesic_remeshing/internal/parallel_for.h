@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -111,7 +112,7 @@ Value parallel_reduce(const Concurrency concurrency, const std::size_t n, Value 
   for_each_block(concurrency, n, block,
                  [&](const std::size_t begin, const std::size_t end) { values[begin / block] = body(begin, end); });
   for(const Value& value : values)
-    first = combine(first, value);
+    first = combine(std::move(first), value);
   return first;
 }
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_SPATIAL_ORDER_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_SPATIAL_ORDER_H
 
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/Bbox_3.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -44,7 +46,7 @@ inline std::uint64_t spread_bits(std::uint64_t x)
 }
 
 // The vertices along a Morton curve through the bounding box, ties by index
-inline std::vector<Vertex> spatial_order(const Mesh& mesh)
+inline std::vector<Vertex> spatial_order(const Mesh& mesh, const Concurrency concurrency)
 {
   Bbox_3 box;
   for(Vertex v : mesh.vertices())
@@ -52,18 +54,15 @@ inline std::vector<Vertex> spatial_order(const Mesh& mesh)
   const double length = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
   const double scale = length > 0. ? 2097151. / length : 0.;
   const auto bits = [&](double x, double from) { return spread_bits(static_cast<std::uint64_t>((x - from) * scale)); };
-  std::vector<std::pair<std::uint64_t, Vertex>> keys;
-  keys.reserve(mesh.number_of_vertices());
-  for(Vertex v : mesh.vertices())
-  {
+  std::vector<std::pair<std::uint64_t, Vertex>> keys(mesh.number_of_vertices());
+  parallel_for(concurrency, keys.size(), [&](const std::size_t i) {
+    const Vertex v(static_cast<Mesh::size_type>(i));
     const Point& p = mesh.point(v);
-    keys.emplace_back(bits(p.x(), box.xmin()) | bits(p.y(), box.ymin()) << 1 | bits(p.z(), box.zmin()) << 2, v);
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<Vertex> order;
-  order.reserve(keys.size());
-  for(const auto& key : keys)
-    order.push_back(key.second);
+    keys[i] = {bits(p.x(), box.xmin()) | bits(p.y(), box.ymin()) << 1 | bits(p.z(), box.zmin()) << 2, v};
+  });
+  parallel_sort(concurrency, keys.begin(), keys.end(), std::less<>());
+  std::vector<Vertex> order(keys.size());
+  parallel_for(concurrency, keys.size(), [&](const std::size_t i) { order[i] = keys[i].second; });
   return order;
 }
 
@@ -77,7 +76,8 @@ struct Numbering
 
 // Copies a mesh with its vertices in this order, and edges and faces in the order in which the vertices meet them. Each
 // edge keeps its first halfedge, each face and each vertex the halfedge that stands for it.
-inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& order, Mesh& copy)
+inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& order, Mesh& copy,
+                               const Concurrency concurrency = Concurrency())
 {
   Numbering number{std::vector<Vertex>(mesh.num_vertices()), std::vector<Edge>(mesh.num_edges()),
                    std::vector<Face>(mesh.num_faces())};
@@ -96,8 +96,8 @@ inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& orde
       if(!mesh.is_border(h) && !number.face[mesh.face(h)].is_valid())
         number.face[mesh.face(h)] = copy.add_face();
     }
-  for(Vertex v : order)
-  {
+  parallel_for(concurrency, order.size(), [&](const std::size_t i) {
+    const Vertex v = order[i];
     copy.set_halfedge(number.vertex[v], copied(mesh.halfedge(v)));
     for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
     {
@@ -110,7 +110,7 @@ inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& orde
       if(mesh.halfedge(mesh.face(h)) == h)
         copy.set_halfedge(f, g);
     }
-  }
+  });
   return number;
 }
 

@@ -41,11 +41,12 @@ void release(Made&... made)
 // The root of each connected component (paper, section 4), and the distances from them on the working surface in
 // `marching`. Where the refinement has added many vertices the roots are sought on the surface as it came in: it
 // costs less and finds the same.
-inline std::vector<Vertex> march_from_roots(const Mesh& surface, const Mesh& working, Fast_marching& marching)
+inline std::vector<Vertex> march_from_roots(const Mesh& surface, const Mesh& working, Fast_marching& marching,
+                                            const Concurrency concurrency = Concurrency())
 {
   if(working.number_of_vertices() <= 2 * surface.number_of_vertices())
     return farthest_roots(working, marching);
-  const Intrinsic_triangulation triangulation(surface);
+  const Intrinsic_triangulation triangulation(surface, concurrency);
   Fast_marching on_surface(triangulation);
   const std::vector<Vertex> roots = farthest_roots(surface, on_surface);
   for(Vertex r : roots)
@@ -74,7 +75,8 @@ struct Fronts_and_components
 
 // Marches from roots in closed components, from lines in those with boundary.
 inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, const Mesh& mesh,
-                                                        const std::vector<char>& is_corner, Fast_marching& marching)
+                                                        const std::vector<char>& is_corner, Fast_marching& marching,
+                                                        const Concurrency concurrency = Concurrency())
 {
   Fronts_and_components result;
   std::size_t number;
@@ -86,7 +88,7 @@ inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, con
   for(Vertex v : mesh.vertices())
     (is_open[result.component_of[v]] ? result.open : result.closed).push_back(v);
   if(!result.closed.empty())
-    for(Vertex r : march_from_roots(surface, mesh, marching))
+    for(Vertex r : march_from_roots(surface, mesh, marching, concurrency))
       if(!is_open[result.component_of[r]])
         result.roots.push_back(r);
   if(result.open.empty())

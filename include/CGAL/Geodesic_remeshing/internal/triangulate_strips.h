@@ -14,9 +14,11 @@
 #include <CGAL/Geodesic_remeshing/internal/contract_cells.h>
 #include <CGAL/Geodesic_remeshing/internal/delaunay_flips.h>
 #include <CGAL/Geodesic_remeshing/internal/insert_samples.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/spatial_order.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -42,74 +44,96 @@ struct Placed_mesh
   Placed_mesh& operator=(const Placed_mesh&) = delete;
 };
 
-// Renumbers a mesh by the faces of the input that its vertices are on.
-inline void sort_by_place(Placed_mesh& placed)
+// The vertices that are left of the working surface in the order in which the mesh has them: that of the samples, which
+// runs along the curves, and vertices that had to stay last. What does not fit into a cache is put in that of the
+// places on the input, which is coherent in space.
+inline std::vector<Vertex> order_of_dual(const Working_surface& working, const std::vector<Vertex>& samples,
+                                         const Concurrency concurrency)
 {
-  std::vector<Vertex> order(placed.mesh.vertices().begin(), placed.mesh.vertices().end());
-  std::sort(order.begin(), order.end(), [&](Vertex v, Vertex w) {
-    return std::make_pair(placed.place[v].face, v) < std::make_pair(placed.place[w].face, w);
+  std::vector<Vertex> order;
+  order.reserve(working.mesh.number_of_vertices());
+  std::vector<char> is_sample(working.mesh.num_vertices(), 0);
+  for(Vertex v : samples)
+    if(v.is_valid())
+    {
+      order.push_back(v);
+      is_sample[v] = 1;
+    }
+  for(Vertex v : working.mesh.vertices())
+    if(!is_sample[v])
+      order.push_back(v);
+  if(!is_large(order.size()))
+    return order;
+  struct Key
+  {
+    Face face;
+    std::uint32_t rank;
+    Vertex vertex;
+  };
+  std::vector<Key> keys(order.size());
+  parallel_for(concurrency, keys.size(), [&](const std::size_t i) {
+    keys[i] = {working.place[order[i]].face, static_cast<std::uint32_t>(i), order[i]};
   });
-  const auto density = placed.mesh.property_map<Vertex, double>(Metric::property);
-  Placed_mesh sorted;
-  if(density.has_value())
-    sorted.density = add_density(sorted.mesh);
-  const Numbering number = copy_in_order(placed.mesh, order, sorted.mesh);
+  parallel_sort(concurrency, keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+    return std::make_pair(a.face, a.rank) < std::make_pair(b.face, b.rank);
+  });
+  parallel_for(concurrency, keys.size(), [&](const std::size_t i) { order[i] = keys[i].vertex; });
+  return order;
+}
+
+// Copies what is left of the working surface, with its vertices in this order, and uses it up.
+inline void copy_dual(Working_surface& working, const std::vector<Vertex>& order, const Concurrency concurrency,
+                      Placed_mesh& result)
+{
+  const Mesh& dual = working.mesh;
+  Numbering number;
+  if(is_large(order.size()))
+    number = copy_in_order(dual, order, result.mesh, concurrency);
+  else
+  {
+    number.vertex.resize(dual.num_vertices());
+    for(Vertex v : order)
+      number.vertex[v] = result.mesh.add_vertex(dual.point(v));
+    const auto index = CGAL::get(boost::vertex_index, dual);
+    copy_connectivity(dual, index, CGAL::get(boost::halfedge_index, dual), dual.num_halfedges(), number.vertex,
+                      result.mesh);
+    number.edge.resize(dual.num_edges());
+    Mesh::size_type edges = 0; // the copy has them in the same order
+    for(Edge e : dual.edges())
+      number.edge[e] = Edge(edges++);
+  }
+  const bool has_density = !Metric(dual).is_uniform();
+  if(has_density)
+    result.density = add_density(result.mesh);
   for(Vertex v : order)
   {
     const Vertex w = number.vertex[v];
-    sorted.place[w] = placed.place[v];
-    sorted.pinned[w] = placed.pinned[v];
-    if(density.has_value())
-      sorted.density[w] = (*density)[v];
+    result.place[w] = working.place[v];
+    if(has_density)
+      result.density[w] = working.density[v];
   }
-  for(Edge e : placed.mesh.edges())
-    sorted.constrained[number.edge[e]] = placed.constrained[e];
-  placed.mesh = std::move(sorted.mesh);
-  placed.place = *placed.mesh.property_map<Vertex, Place>("v:place");
-  placed.pinned = *placed.mesh.property_map<Vertex, bool>("v:pinned");
-  placed.constrained = *placed.mesh.property_map<Edge, bool>("e:constrained");
-  if(density.has_value())
-    placed.density = *placed.mesh.property_map<Vertex, double>(Metric::property);
+  for(Edge e : dual.edges())
+    result.constrained[number.edge[e]] = working.is_line[e];
+  working.mesh = Mesh(); // its memory serves the improvement
 }
 
 // Triangulates the strips between the curves (paper, section 6): Voronoi cells of the samples, their dual, Delaunay.
 // All strips at once, since nothing in it depends on what a strip looks like. The working surface is used up.
 inline void triangulate_strips(const Mesh& surface, Working_surface& working, std::vector<Sample> samples,
-                               double edge_length, Placed_mesh& result)
+                               double edge_length, Placed_mesh& result, const Concurrency concurrency = Concurrency())
 {
   // A cell that begins .15 e from its sample is the same cell, and costs no sliver
-  std::vector<Vertex> vertices = Sample_inserter(surface, working, .15 * edge_length).run(samples);
-  Cell_contractor(working.mesh, vertices, working.is_line).run();
-
-  const Metric metric(surface);
-  if(!metric.is_uniform())
-    result.density = add_density(result.mesh);
-  // In the order of the samples, which runs along the curves; vertices that had to stay come last. What does not fit
-  // into a cache is put in that of the places on the input, which is coherent in space.
-  const Mesh& dual = working.mesh;
-  std::vector<Vertex> copy(dual.num_vertices());
-  const auto add = [&](Vertex v, bool is_pinned) {
-    copy[v] = result.mesh.add_vertex(dual.point(v));
-    result.place[copy[v]] = working.place[v];
-    result.pinned[copy[v]] = is_pinned;
-    if(!metric.is_uniform())
-      result.density[copy[v]] = working.density[v];
-  };
+  const std::vector<Vertex> vertices = Sample_inserter(surface, working, .15 * edge_length).run(samples);
+  std::vector<char> is_pinned(working.mesh.num_vertices(), 0);
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(vertices[i].is_valid())
-      add(vertices[i], samples[i].is_pinned);
-  for(Vertex v : dual.vertices())
-    if(!copy[v].is_valid())
-      add(v, false);
+      is_pinned[vertices[i]] = samples[i].is_pinned;
   samples = std::vector<Sample>(); // 100 bytes each
-  const auto index = CGAL::get(boost::vertex_index, dual);
-  copy_connectivity(dual, index, CGAL::get(boost::halfedge_index, dual), dual.num_halfedges(), copy, result.mesh);
-  std::size_t number = 0; // the copy has the edges in the same order
-  for(Edge e : dual.edges())
-    result.constrained[Edge(static_cast<Mesh::size_type>(number++))] = working.is_line[e];
-  working.mesh = Mesh(); // its memory serves the improvement
-  if(is_large(result.mesh.number_of_vertices()))
-    sort_by_place(result);
+  Cell_contractor(working.mesh, vertices, working.is_line).run();
+  const std::vector<Vertex> order = order_of_dual(working, vertices, concurrency);
+  copy_dual(working, order, concurrency, result);
+  for(Vertex v : result.mesh.vertices())
+    result.pinned[v] = is_pinned[order[v]] != 0;
   Delaunay_flipper(result.mesh, result.constrained).run();
 }
 
