@@ -170,7 +170,7 @@ void run(const Options& options)
   const auto write_output = command_line::mesh_writer(options.output, output_format);
   if(options.transfer && !Transfer::is_possible(file.format(), output_format))
     throw command_line::Usage_error("--transfer goes from .ply to .ply and from .obj to .obj");
-  command_line::Input input = command_line::read_mesh(file, options.do_repair, options.stitch_tolerance);
+  command_line::Input input = command_line::read_mesh(file, options.repair);
   command_line::Output_files files;
   announce_all(files, options);
   std::ostream& messages = files.use_standard_output() ? std::cerr : std::cout;

@@ -643,6 +643,30 @@ TEST_F(Command_line, boundaries_are_stitched_within_a_tolerance)
     EXPECT_EQ(run(halves + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
 }
 
+// A tetrahedron without its base, a thousandth of the area beside it: a hole and a splinter, as scans have them
+TEST_F(Command_line, holes_are_filled_and_small_parts_dropped)
+{
+  const std::string scan = file("scan.off", "OFF\n7 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 0 0\n2.05 0 0\n2 .05 0\n"
+                                            "3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 5 6\n");
+  const auto of_output = [&](const std::string& options) {
+    const Outcome outcome = run(scan + " " + output() + " --vertices 100 --report " + output("r.json") + options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto result = nlohmann::json::parse(contents(output("r.json")))["output"];
+    return std::make_pair(result["components"].get<int>(), result["boundary_loops"].get<int>());
+  };
+  EXPECT_EQ(of_output(""), std::make_pair(2, 2));
+  EXPECT_EQ(of_output(" --drop-parts 0.01"), std::make_pair(2, 2)); // the splinter is larger
+  EXPECT_EQ(of_output(" --drop-parts 1"), std::make_pair(1, 1));
+  EXPECT_EQ(of_output(" --drop-parts 99.9"), std::make_pair(1, 1)); // the largest stays
+  EXPECT_EQ(of_output(" --drop-parts 1 --fill-holes 3"), std::make_pair(1, 0));
+  const std::string told = run(scan + " " + output() + " --vertices 100 --drop-parts 1 --fill-holes 3").out;
+  EXPECT_NE(told.find("dropped 1 small parts"), std::string::npos) << told;
+  EXPECT_NE(told.find("filled 1 holes"), std::string::npos) << told;
+  for(const char* wrong : {" --drop-parts 0", " --drop-parts 100", " --drop-parts nan", " --fill-holes 2",
+                           " --fill-holes 3 --no-repair", " --drop-parts 1 --no-repair"})
+    EXPECT_EQ(run(scan + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
+}
+
 // Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong
 TEST_F(Command_line, damaged_files)
 {

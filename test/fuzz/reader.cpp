@@ -26,7 +26,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try
   {
     const command_line::Input_file file(name, formats[data[0] % 5]);
-    const auto input = command_line::read_mesh(file, (data[0] & 64) == 0, (data[0] & 128) == 0 ? 0. : .1);
+    command_line::Repair_options options;
+    options.do_repair = (data[0] & 64) == 0;
+    options.stitch_tolerance = (data[0] & 128) == 0 ? 0. : .1;
+    options.fill_holes = (data[0] & 32) == 0 ? 0 : 6;
+    options.drop_parts = (data[0] & 16) == 0 ? 0. : 10.;
+    const auto input = command_line::read_mesh(file, options);
     if(!CGAL::is_valid_polygon_mesh(input.mesh) || !CGAL::is_triangle_mesh(input.mesh))
       std::abort();
   }

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_INPUT_H
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_INPUT_H
 
+#include "clean_up.h"
 #include "repair.h"
 #include "soup.h"
 #include "stitch.h"
@@ -78,9 +79,8 @@ inline Mesh make_mesh(const Soup& soup)
 
 } // namespace internal
 
-// The triangle mesh of a file, the vertices of its boundary made one where they are no farther apart than a tolerance
-// (0: not). What is no mesh is repaired where it can be, or refused with what is wrong, and where.
-inline Input read_mesh(const Input_file& file, bool do_repair, double stitch_tolerance)
+// The triangle mesh of a file. What is no mesh is repaired where it can be, or refused with what is wrong, and where.
+inline Input read_mesh(const Input_file& file, const Repair_options& options)
 {
   try
   {
@@ -88,20 +88,25 @@ inline Input read_mesh(const Input_file& file, bool do_repair, double stitch_tol
     internal::check_points_and_polygons(soup);
     const std::size_t vertices_in_file = soup.points.size();
     std::vector<std::string> repairs;
-    if(stitch_tolerance > 0.)
-      internal::tell(repairs, "stitched", internal::stitch(soup, stitch_tolerance),
+    if(options.stitch_tolerance > 0.)
+      internal::tell(repairs, "stitched", internal::stitch(soup, options.stitch_tolerance),
                      "vertices of the boundary to others");
     const auto fault = internal::fault(soup);
-    if(fault && !do_repair)
+    if(fault && !options.do_repair)
       throw Input_error(*fault);
-    if(do_repair && (fault || internal::has_open_seams(soup)))
+    if(options.do_repair && (fault || internal::has_open_seams(soup)))
     {
       for(const std::string& repair : internal::repair(soup))
         repairs.push_back(repair);
       if(const auto left = internal::fault(soup))
         throw Input_error(*left);
     }
-    Input input{internal::make_mesh(soup), vertices_in_file, repairs};
+    Input input{internal::make_mesh(soup), vertices_in_file, {}};
+    if(options.drop_parts > 0.)
+      internal::tell(repairs, "dropped", internal::drop_small_parts(input.mesh, options.drop_parts), "small parts");
+    if(options.fill_holes > 0)
+      internal::tell(repairs, "filled", internal::fill_small_holes(input.mesh, options.fill_holes), "holes");
+    input.repairs = repairs;
     if(!repairs.empty()) // these are no longer the vertices of the file
     {
       auto index = input.mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value();

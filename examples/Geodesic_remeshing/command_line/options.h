@@ -12,6 +12,7 @@
 
 #include "generate.h"
 #include "help.h"
+#include "repair.h"
 
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
@@ -47,8 +48,7 @@ struct Options
   double feature_angle = 0.;          // degrees; zero: features are not sought
   bool fit = false;
   bool protect = false; // lines keep their vertices and edges
-  bool do_repair = true;
-  double stitch_tolerance = 0.; // zero: boundaries stay apart
+  Repair_options repair;
   bool transfer = false;
   bool check = false;
   bool quiet = false;
@@ -128,6 +128,17 @@ inline void read_number(const po::variables_map& values, const std::string& name
                            ? " must be between 0 and " + std::to_string(static_cast<int>(high))
                            : std::string(with_ends ? " must not be negative" : " must be a positive number")));
   result = value;
+}
+
+inline void read_repair(const po::variables_map& values, Repair_options& repair)
+{
+  repair.do_repair = !values["no-repair"].as<bool>();
+  read_number(values, "stitch", 0., std::numeric_limits<double>::infinity(), false, repair.stitch_tolerance);
+  read_number(values, "drop-parts", 0., 100., false, repair.drop_parts);
+  repair.fill_holes = count(values, "fill-holes", 3).value_or(0);
+  for(const char* name : {"stitch", "drop-parts", "fill-holes"})
+    if(values.count(name) != 0 && !repair.do_repair)
+      throw Usage_error(std::string("--") + name + " and --no-repair exclude each other");
 }
 
 inline void read_sizing(const po::variables_map& values, Options& options)
@@ -237,11 +248,7 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
   internal::read_number(values, "feature-angle", 0., 180., false, options.feature_angle);
   options.fit = values["fit"].as<bool>();
   options.protect = values["protect"].as<bool>();
-  options.do_repair = !values["no-repair"].as<bool>();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  internal::read_number(values, "stitch", 0., infinity, false, options.stitch_tolerance);
-  if(options.stitch_tolerance > 0. && !options.do_repair)
-    throw Usage_error("--stitch and --no-repair exclude each other");
+  internal::read_repair(values, options.repair);
   options.transfer = values["transfer"].as<bool>();
   options.check = values["check"].as<bool>();
   options.quiet = values["quiet"].as<bool>();

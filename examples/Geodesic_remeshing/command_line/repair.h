@@ -22,6 +22,16 @@
 #include <vector>
 
 namespace command_line {
+
+// What may be done to make a good mesh of a file
+struct Repair_options
+{
+  bool do_repair = true;        // else what is no mesh is refused
+  double stitch_tolerance = 0.; // vertices of the boundary no farther apart are made one; zero: none
+  double drop_parts = 0.;       // parts with less than these percent of the area are left out
+  std::size_t fill_holes = 0;   // holes with at most so many edges are closed
+};
+
 namespace internal {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
