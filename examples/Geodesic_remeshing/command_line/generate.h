@@ -99,7 +99,8 @@ inline void print_bash_completion(std::ostream& out)
       << "complete -o filenames -F _geodesic_remesh geodesic_remesh\n";
 }
 
-// In the words of _arguments: '--name[what it does]:value:what to offer'
+// In the words of _arguments: '--name[what it does]:value:what to offer'; two names of which one will do are
+// '(-n --name)'{-n,--name}'[what it does]'
 inline std::string zsh_argument(const po::option_description& option)
 {
   std::string text;
@@ -107,7 +108,9 @@ inline std::string zsh_argument(const po::option_description& option)
     text += c == '\''                          ? std::string("'\\''")
             : c == '[' || c == ']' || c == ':' ? std::string("\\") + c
                                                : std::string(1, c);
-  text = "'--" + option.long_name() + "[" + text + "]";
+  const std::string name = "--" + option.long_name(), other = short_name(option);
+  text =
+      (other.empty() ? "'" + name : "'(" + other + " " + name + ")'{" + other + "," + name + "}'") + "[" + text + "]";
   if(!has_value(option))
     return text + "'";
   const std::string value = value_name(option);
