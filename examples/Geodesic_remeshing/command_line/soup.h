@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -66,6 +67,21 @@ private:
   std::streambuf* m_buffer;
 };
 
+// The reader of CGAL adds such a property to the last element there is.
+inline bool has_property_before_elements(std::istream& ply)
+{
+  std::string line, word;
+  while(std::getline(ply, line))
+  {
+    std::istringstream words(line);
+    word.clear();
+    words >> word;
+    if(word == "property" || word == "element" || word == "end_header")
+      return word == "property";
+  }
+  return false;
+}
+
 inline bool read_soup(const Input_file& file, Soup& soup)
 {
   const auto in = file.open();
@@ -74,7 +90,7 @@ inline bool read_soup(const Input_file& file, Soup& soup)
   if(file.format() == "obj")
     return CGAL::IO::read_OBJ(*in, soup.points, soup.polygons);
   if(file.format() == "ply")
-    return CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
+    return !has_property_before_elements(*file.open()) && CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
   if(file.format() == "ts")
     return CGAL::IO::read_GOCAD(*in, soup.points, soup.polygons);
   if(file.format() != "stl")
