@@ -24,6 +24,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // Surfaces that break remeshers, on purpose and at random; and the same result from every build.
 
@@ -53,11 +54,14 @@ std::string faults(const GR::Remeshing_validity& v)
   return result;
 }
 
-void expect_valid(const Mesh& input, std::size_t number)
+GR::Remeshing_validity expect_valid(const Mesh& input, std::size_t number)
 {
   Mesh output;
   CGAL::geodesic_remeshing(input, number, output);
-  EXPECT_EQ(faults(GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number))), "");
+  const GR::Remeshing_validity validity =
+      GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(number));
+  EXPECT_EQ(faults(validity), "");
+  return validity;
 }
 
 // A vertex in each n-th face, this far from an edge or from a corner, in lengths of edges
@@ -183,6 +187,139 @@ TEST(Hard_surface, thread)
   }
   EXPECT_TRUE(support::is_same_mesh(output, made::octahedron()));
   expect_valid(made::cylinder(.03, 10., 5, 1), 500); // three hundred times as long as wide
+}
+
+// A line with two corners only, one edge of the face, and one around it: three points of the first make no face.
+TEST(Hard_surface, parts_of_one_obtuse_face)
+{
+  Mesh input = made::sphere(3);
+  for(unsigned i = 0; i < 12; ++i)
+  {
+    const double x = 3. * i + 4., y = .1 + .1 * i;
+    input.add_face(input.add_vertex(Point(x, 0., 0.)), input.add_vertex(Point(x + 2., .3 * y, y)),
+                   input.add_vertex(Point(x + 1., y, 0.)));
+  }
+  for(const std::size_t number : {60, 300})
+    EXPECT_EQ(expect_valid(input, number).degenerate_faces, 0u);
+}
+
+// A crescent closed to a ring by its two tips, which are two vertices at one point.
+TEST(Hard_surface, lines_between_corners_at_one_point)
+{
+  constexpr unsigned n = 16;
+  Mesh input;
+  std::vector<Vertex> inner, outer;
+  for(unsigned i = 0; i <= n; ++i)
+  {
+    const double u = 2. * CGAL_PI * (i % n) / n, width = 2. * std::sin(CGAL_PI * i / n);
+    const auto add = [&](double r) { return input.add_vertex(Point(r * std::cos(u), r * std::sin(u), 0.)); };
+    inner.push_back(add(3.));
+    outer.push_back(i == 0 || i == n ? inner.back() : add(3. + width));
+  }
+  for(unsigned i = 0; i < n; ++i)
+  {
+    if(i + 1 < n)
+      input.add_face(inner[i], outer[i + 1], inner[i + 1]);
+    if(i > 0)
+      input.add_face(inner[i], outer[i], outer[i + 1]);
+  }
+  for(const std::size_t number : {12, 40, 300})
+    EXPECT_EQ(expect_valid(input, number).degenerate_faces, 0u);
+}
+
+// Two sheets that lie on each other: nothing parts them, and trying to takes no minutes.
+TEST(Hard_surface, sheets_on_each_other)
+{
+  const Mesh input = made::together({made::plane(12), made::moved(made::plane(12), Vector(.3, .3, 0.))});
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_GT(expect_valid(input, 600).self_intersections, 600u);
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 30.);
+}
+
+namespace {
+
+// The same surface with its vertices and faces in another order
+Mesh renumbered(const Mesh& mesh, std::uint64_t seed)
+{
+  Random random(seed);
+  const auto order = [&](std::size_t n) {
+    std::vector<std::size_t> result(n);
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t j = random.below(i + 1);
+      result[i] = result[j];
+      result[j] = i;
+    }
+    return result;
+  };
+  Mesh result;
+  std::vector<Vertex> copy(mesh.number_of_vertices());
+  for(const std::size_t v : order(mesh.number_of_vertices()))
+    copy[v] = result.add_vertex(mesh.point(Vertex(static_cast<Mesh::size_type>(v))));
+  for(const std::size_t f : order(mesh.number_of_faces()))
+  {
+    const Halfedge h = mesh.halfedge(Face(static_cast<Mesh::size_type>(f)));
+    result.add_face(copy[mesh.source(h)], copy[mesh.target(h)], copy[mesh.target(mesh.next(h))]);
+  }
+  return result;
+}
+
+// Turned about two axes, as far as doubles go
+Mesh turned(Mesh mesh, double angle)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  for(Vertex v : mesh.vertices())
+  {
+    const Point p = mesh.point(v);
+    const double x = c * p.x() - s * p.y(), y = s * p.x() + c * p.y();
+    mesh.point(v) = Point(x, c * y - s * p.z(), s * y + c * p.z());
+  }
+  return mesh;
+}
+
+std::vector<Mesh> invariance_surfaces()
+{
+  return {made::rounded(made::cactus_blocks(), 4), made::chain_of_tori(2),
+          with_faces_removed(made::stairs(3), 5, 40, 4)};
+}
+
+} // namespace
+
+// Scaling by a power of two rounds nothing: the bytes are the same but for the exponents.
+TEST(Invariance, scaled_by_a_power_of_two)
+{
+  for(const Mesh& input : invariance_surfaces())
+    for(const double factor : {0x1p-20, 0x1p10})
+    {
+      Mesh output, scaled_output;
+      CGAL::geodesic_remeshing(input, 700, output);
+      CGAL::geodesic_remeshing(made::scaled(input, factor), 700, scaled_output);
+      EXPECT_TRUE(support::is_same_mesh(scaled_output, made::scaled(output, factor))) << factor;
+    }
+}
+
+// Other roundings, other ties: another mesh, but as good a one.
+TEST(Invariance, moved_turned_scaled_and_renumbered)
+{
+  const std::size_t number = 1000;
+  for(const Mesh& input : invariance_surfaces())
+  {
+    Mesh output;
+    CGAL::geodesic_remeshing(input, number, output);
+    const support::Quality quality = support::quality_of(output);
+    const std::vector<Mesh> others = {made::moved(input, Vector(3., 100., -7.)), turned(input, .7),
+                                      made::scaled(input, 1e-3), renumbered(input, 1), renumbered(input, 2)};
+    for(std::size_t i = 0; i < others.size(); ++i)
+    {
+      SCOPED_TRACE(i);
+      Mesh other_output;
+      CGAL::geodesic_remeshing(others[i], number, other_output);
+      EXPECT_EQ(faults(GR::is_valid_remeshing(others[i], other_output, gp::expected_number_of_vertices(number))), "");
+      const support::Quality other = support::quality_of(other_output);
+      EXPECT_NEAR(other.mean_smallest_angle, quality.mean_smallest_angle, 1.);
+      EXPECT_NEAR(other.percent_irregular, quality.percent_irregular, 3.);
+    }
+  }
 }
 
 namespace {

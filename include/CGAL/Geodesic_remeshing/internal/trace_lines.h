@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -88,25 +90,47 @@ inline std::vector<Line_piece> trace_lines(const Mesh& mesh, const Constraints& 
       [&](Vertex v) { return constraints.is_corner[v.idx()] != 0; });
 }
 
+// How often a piece is as long as its ends are apart
+inline double detour_of(const Mesh& mesh, const Line_piece& piece)
+{
+  double length = 0.;
+  for(Halfedge h : piece.halfedges)
+    length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+  return length / std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(piece.halfedges.front())),
+                                                   mesh.point(mesh.target(piece.halfedges.back()))));
+}
+
 // The fewest edges that can cover each piece, so that no two edges have the same ends: three for a ring or a loop at
-// a corner, two where another piece joins the same corners already.
+// a corner, also if its ends are two vertices at one point; two where another piece joins the same corners already,
+// which is the straightest of them: three points of a straight one would make a face without area.
 inline std::vector<int> fewest_intervals(const Mesh& mesh, const std::vector<Line_piece>& pieces)
 {
-  using Ends = std::pair<std::pair<Vertex, Vertex>, std::size_t>;
+  constexpr double loop = 20.;
+  struct Ends
+  {
+    Vertex low, high;
+    double detour;
+    std::size_t piece;
+    bool operator<(const Ends& e) const
+    {
+      return std::tie(low, high, detour, piece) < std::tie(e.low, e.high, e.detour, e.piece);
+    }
+  };
   std::vector<int> fewest(pieces.size(), 1);
   std::vector<Ends> ends;
   for(std::size_t i = 0; i < pieces.size(); ++i)
   {
     const Vertex a = mesh.source(pieces[i].halfedges.front()), b = mesh.target(pieces[i].halfedges.back());
-    if(a == b)
-      fewest[i] = 3;
+    const double detour = a == b ? infinity : detour_of(mesh, pieces[i]);
+    if(detour < loop)
+      ends.push_back({(std::min)(a, b), (std::max)(a, b), detour, i});
     else
-      ends.emplace_back(std::make_pair((std::min)(a, b), (std::max)(a, b)), i);
+      fewest[i] = 3;
   }
   std::sort(ends.begin(), ends.end());
   for(std::size_t i = 1; i < ends.size(); ++i)
-    if(ends[i].first == ends[i - 1].first)
-      fewest[ends[i].second] = 2;
+    if(ends[i].low == ends[i - 1].low && ends[i].high == ends[i - 1].high)
+      fewest[ends[i].piece] = 2;
   return fewest;
 }
 
