@@ -87,6 +87,8 @@ std::string blemishes(const GR::Remeshing_validity& v)
     result += " turned faces";
   if(v.degenerate_faces > 0)
     result += " degenerate faces";
+  if(!result.empty() && v.input_intersects_itself)
+    result += ", of an input that intersects itself";
   return result.empty() ? "" : " but for" + result;
 }
 

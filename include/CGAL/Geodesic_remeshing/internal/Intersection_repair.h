@@ -207,6 +207,8 @@ inline std::size_t Intersection_repair::run(const double mendable, const bool do
   m_changed.clear();
   std::fill(m_failures.begin(), m_failures.end(), static_cast<unsigned char>(0));
   m_mendable = mendable;
+  if(pairs.size() > m_table.number_of_vertices()) // sheets of the input lie on each other, which nothing parts
+    return pairs.size();
   for(const Pair& pair : pairs)
   {
     for(const Index v : corners_of(pair))
