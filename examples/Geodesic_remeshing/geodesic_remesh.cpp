@@ -24,7 +24,9 @@
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 #include <CGAL/geodesic_remeshing.h>
+#include <CGAL/tags.h>
 #include <CGAL/version.h>
 
 #include <algorithm>
@@ -34,6 +36,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace {
 
@@ -46,6 +49,10 @@ using command_line::Transfer;
 enum Exit_status { done = 0, wrong_usage = 1, bad_input = 2, cannot_remesh = 3 };
 
 const std::string version = "geodesic_remesh " GEODESIC_REMESHING_VERSION " (CGAL " CGAL_VERSION_STR ")";
+
+// That of the stages: processor seconds, or with several threads those that pass
+using Clock = std::conditional_t<std::is_convertible<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value,
+                                 CGAL::Real_timer, CGAL::Timer>;
 
 // One remeshing: the parameters are put together one by one, each only if it is asked for
 struct Job
@@ -182,7 +189,7 @@ void run(const Options& options)
   Transfer transfer(options.transfer, file, input, output);
   GR::Stage_results stages;
   Report report;
-  CGAL::Real_timer timer;
+  Clock timer;
   timer.start();
   report.summary = remesh(input, options, transfer, output, stages);
   report.is_fitted = options.fit;

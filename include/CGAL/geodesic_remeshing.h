@@ -356,12 +356,17 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
   keep_curves(pieces.mesh, curves, kept);
   summary.number_of_curves = curves.curves.size();
-  summary.number_of_strips = find_strips(pieces.mesh, curves).second;
 
   clock.stage("samples", .35);
   on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
-  std::vector<Sample> samples =
-      sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots, budget.curve_edge_length, n);
+  std::vector<Sample> samples;
+  parallel_invoke(
+      options.concurrency,
+      [&] {
+        samples = sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots,
+                                 budget.curve_edge_length, n, options.concurrency);
+      },
+      [&] { summary.number_of_strips = find_strips(pieces.mesh, curves).second; });
   keep_samples(samples, kept);
   release(curves, on_lines);
   if(!wants_regions)

@@ -11,11 +11,13 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CURVE_SAMPLER_H
 
 #include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
+#include <CGAL/Geodesic_remeshing/internal/Curve_phase.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample_set.h>
 #include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +38,11 @@ public:
   // that the number of samples is the wanted number of vertices.
   Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
                 const Level_curves& curves, const Line_samples& lines, double edge_length, double spacing,
-                std::size_t expected)
+                std::size_t expected, const Concurrency concurrency = Concurrency())
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
       m_segmentation(segmentation), m_curves(curves), m_lines(lines), m_edge_length(edge_length), m_spacing(spacing),
-      m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines)
+      m_concurrency(concurrency), m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines),
+      m_phase(m_path, m_samples, edge_length, samples_of_a_block, concurrency)
   {
     m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
   }
@@ -69,6 +72,9 @@ public:
   }
 
 private:
+  // A sample takes a microsecond or two.
+  static constexpr std::size_t samples_of_a_block = 128;
+
   // ---- the single samples
 
   bool add_vertex(Vertex v, bool is_pinned)
@@ -198,19 +204,25 @@ private:
     const int n = number_on_loop(length, m_spacing, m_edge_length);
     if(n == 0)
       return;
-    const double step = length / n, start = step * phase(curve, n);
+    const double step = length / n, start = step * m_phase(curve, n);
     add_row(curve, start, step, n);
   }
 
   void add_row(const Level_curve& curve, double start, double step, int n)
   {
     const std::size_t first = m_samples.size();
-    for(int i = 0; i < n; ++i)
-    {
-      const Sample sample = m_path.sample_at(start + i * step, curve.region, curve.level);
-      if(m_samples.is_free(sample, first))
-        m_samples.add(sample);
-    }
+    m_row.resize(n);
+    m_is_near_others.resize(n);
+    parallel_for(
+        m_concurrency, m_row.size(),
+        [&](const std::size_t i) {
+          m_row[i] = m_path.sample_at(start + static_cast<double>(i) * step, curve.region, curve.level);
+          m_is_near_others[i] = m_samples.is_near_others(m_row[i]);
+        },
+        samples_of_a_block);
+    for(std::size_t i = 0; i < m_row.size(); ++i)
+      if(!m_is_near_others[i] || m_samples.is_free(m_row[i], first))
+        m_samples.add(m_row[i]);
   }
 
   void sample_between_pins(const Level_curve& curve, std::vector<std::size_t>& pins)
@@ -234,50 +246,6 @@ private:
           m_samples.add(sample);
       }
     }
-  }
-
-  // The phase in [0, 1) that agrees best with the curve before: each of its samples near this curve votes for the
-  // middle of a step being opposite to it. The votes are directions, and their sum is the answer.
-  double phase(const Level_curve& curve, int n) const
-  {
-    const double step = m_path.length() / n;
-    const std::vector<double>& lengths = m_path.lengths();
-    double x = 0., y = 0.;
-    for(int i = 0; i < n; ++i)
-    {
-      const double s = i * step;
-      const std::size_t j = (std::min)(
-          std::size_t(std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin()), lengths.size() - 1);
-      const double l = lengths[j] - lengths[j - 1];
-      if(!(l > 0.))
-        continue;
-      const Vector tangent =
-          (m_path.point(j).point - m_path.point(j - 1).point) / l; // a unit vector, but for the density
-      const Point here = m_path.point(j - 1).point + (s - lengths[j - 1]) * tangent;
-      const double density = .5 * (m_path.point(j - 1).density + m_path.point(j).density);
-      m_samples.for_each_near(here, 1. / density, 1.3 * m_edge_length / density,
-                              [&](const Sample& other, const Point& q) {
-                                if(!is_before(other, curve))
-                                  return;
-                                const double offset = density * density * ((q - here) * tangent);
-                                if(std::abs(offset) > .75 * step)
-                                  return; // another step's business
-                                // the vote on the square |x| + |y| = 1 in place of the circle: as good a direction, and
-                                // no sine
-                                const double turn = offset / step - std::floor(offset / step); // in [0, 1)
-                                x += turn < .5 ? 1. - 4. * turn : 4. * turn - 3.;
-                                y += turn < .25 ? 4. * turn : (turn < .75 ? 2. - 4. * turn : 4. * turn - 4.);
-                              });
-    }
-    if(x * x + y * y < 1e-12)
-      return 0.;
-    const double vote = std::atan2(y, x) / (2. * CGAL_PI) + .5;
-    return vote - std::floor(vote);
-  }
-
-  bool is_before(const Sample& sample, const Level_curve& curve) const
-  {
-    return sample.region == curve.region ? sample.level == curve.level - 1 : curve.level == 1;
   }
 
   // A bump that rises more than half a spacing over its last curve gets a sample on its top: nothing else would cover
@@ -310,11 +278,15 @@ private:
   const Level_curves& m_curves;
   const Line_samples& m_lines;
   const double m_edge_length, m_spacing;
+  const Concurrency m_concurrency;
   Sample_set m_samples;
   std::vector<std::vector<std::size_t>> m_pins; // of a curve: its points that are samples already
   std::vector<std::pair<std::size_t, std::size_t>> m_order;
   Sampled_path m_path;
+  const Curve_phase m_phase;
   std::vector<Path_point> m_scratch;
+  std::vector<Sample> m_row;
+  std::vector<char> m_is_near_others; // of a sample of the row
 };
 
 } // namespace internal

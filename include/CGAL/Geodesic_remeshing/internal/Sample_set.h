@@ -64,6 +64,15 @@ public:
     return free;
   }
 
+  // If it is not, no search over sheets is needed. May be asked by several threads, unlike the others.
+  bool is_near_others(const Sample& sample) const
+  {
+    bool result = sample.distance_from_lines < room_beside_lines * m_edge_length;
+    m_grid.near(sample.point, sample.size, .5 * m_edge_length * sample.size,
+                [&](std::uint32_t, const Point&, double) { result = true; });
+    return result;
+  }
+
   // Calls `visit(sample, its point)` for those within this distance.
   template <class Visit>
   void for_each_near(const Point& p, double size, double distance, const Visit& visit) const

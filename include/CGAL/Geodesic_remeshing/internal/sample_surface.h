@@ -40,7 +40,8 @@ inline double spacing_for(const std::vector<double>& lengths, double edge_length
 inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_surface& working,
                                           const Segmentation& segmentation, const Level_curves& curves,
                                           const Line_samples& lines, const std::vector<Vertex>& roots,
-                                          double edge_length, std::size_t number)
+                                          double edge_length, std::size_t number,
+                                          const Concurrency concurrency = Concurrency())
 {
   const std::vector<double> lengths = lengths_of_curves(working.mesh, curves);
   const double wanted = static_cast<double>(number);
@@ -52,7 +53,8 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
   {
     const double spacing = spacing_for(lengths, edge_length, on_curves);
     std::vector<Sample> samples =
-        Curve_sampler(surface, working, segmentation, curves, lines, edge_length, spacing, number).run(roots);
+        Curve_sampler(surface, working, segmentation, curves, lines, edge_length, spacing, number, concurrency)
+            .run(roots);
     const double excess = static_cast<double>(samples.size()) - wanted;
     if(best.empty() || std::abs(excess) < std::abs(static_cast<double>(best.size()) - wanted))
       best.swap(samples);
