@@ -163,7 +163,7 @@ void measure(Report& report, const Mesh& input, const Mesh& output, const Option
   {
     report.input = mesh_quality::measure_quality(input);
     report.output = mesh_quality::measure_quality(output);
-    report.distance = mesh_quality::measure_distance(input, output, 100000);
+    report.distance = mesh_quality::measure_distance<CGAL::Parallel_if_available_tag>(input, output, 100000);
   }
   if(options.check)
     report.validity = check(input, output, options);

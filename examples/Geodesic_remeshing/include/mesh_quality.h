@@ -23,8 +23,13 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/centroid.h>
 #include <CGAL/spatial_sort.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/function_property_map.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_invoke.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -287,14 +292,34 @@ inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to
   return result;
 }
 
-inline Distance measure_distance(const Mesh& reference, const Mesh& mesh, std::size_t number_of_samples = 200000)
+// With TBB and `CGAL::Parallel_tag` both directions at the same time
+template <typename Concurrency_tag = CGAL::Sequential_tag>
+Distance measure_distance(const Mesh& reference, const Mesh& mesh, std::size_t number_of_samples = 200000)
 {
-  Closest_point on_reference(reference);
-  Closest_point on_mesh(mesh);
-  const One_sided_distance there = one_sided_distance(reference, on_mesh, number_of_samples);
-  const One_sided_distance back = one_sided_distance(mesh, on_reference, number_of_samples);
-  const double vertices_there = farthest_vertex(reference, on_mesh, number_of_samples);
-  const double vertices_back = farthest_vertex(mesh, on_reference, number_of_samples);
+  const auto measure = [&](const Mesh& from, const Mesh& to, One_sided_distance& distance, double& of_vertices) {
+    Closest_point closest_point(to);
+    distance = one_sided_distance(from, closest_point, number_of_samples);
+    of_vertices = farthest_vertex(from, closest_point, number_of_samples);
+  };
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_convertible<Concurrency_tag, CGAL::Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  One_sided_distance there, back;
+  double vertices_there = 0., vertices_back = 0.;
+  const auto measure_there = [&] { measure(reference, mesh, there, vertices_there); };
+  const auto measure_back = [&] { measure(mesh, reference, back, vertices_back); };
+  if constexpr(std::is_convertible<Concurrency_tag, CGAL::Parallel_tag>::value)
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::parallel_invoke(measure_there, measure_back);
+#endif
+  }
+  else
+  {
+    measure_there();
+    measure_back();
+  }
 
   const double to_percent = 100. / diagonal(reference);
   Distance distance;
