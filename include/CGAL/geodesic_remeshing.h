@@ -131,8 +131,8 @@ namespace CGAL {
  *                           `Polygon_mesh_processing::detect_sharp_edges()` finds them; but not those with an end in
  *                           the surface and shorter than the edges of the output. Then tips of cones, vertices at which
  *                           more than 90 degrees are missing, are corners.}
- *     \cgalParamType{a number, positive; above 180 there are no features}
- *     \cgalParamDefault{no features but the long creases of an input of few faces: sharper than 45 degrees, more than
+ *     \cgalParamType{a number, positive; above 180 there are no features, nor creases}
+ *     \cgalParamDefault{no features but the long creases of an input of few faces: sharper than 50 degrees, more than
  *                       three edge lengths of the output long, with room for a row of triangles on both sides and
  *                       between them, and with others or the boundary at both ends; none with `protect_constraints`}
  *   \cgalParamNEnd

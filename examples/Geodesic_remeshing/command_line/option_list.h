@@ -65,7 +65,7 @@ inline Option_group input_options()
   Option_group group{"Input", {}};
   group.options.add_options()
     ("input-format", po::value<std::string>()->value_name(mesh_formats), "format of INPUT, whatever its name ends with")
-    ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners")
+    ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners; 180: not even the long creases of an input of few faces")
     ("protect", po::bool_switch(), "keep the boundary, and features if sought, exactly, with all their vertices and edges")
     ("no-repair", po::bool_switch(), "refuse an INPUT that is no mesh as it is")
     ("stitch", po::value<double>()->value_name("TOLERANCE"), "join vertices of the boundary of INPUT that are no farther apart than TOLERANCE")

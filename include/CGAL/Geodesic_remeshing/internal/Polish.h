@@ -186,14 +186,17 @@ inline bool Polish::better_by_split(const Index h)
     return false;
   const Index o = m_table.opposite(h), a = m_table.source(h), b = m_table.target(h), c = m_table.apex(h);
   const Index d = o == Lean_triangulation::none ? a : m_table.apex(o);
-  // It must be worth a vertex: where there cannot be good triangles each split would ask for the next.
+  // It must be worth a vertex: between lines, where there cannot be good triangles, each split would ask for the next.
+  // Along a limb of three vertices around each betters the angles by little, until there are enough.
   static const double good = badness_of_angle(25.);
+  const double least_gain = m_remeshed.has_lines() ? .6 : .9;
   const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
   m_remeshed.reserve_free(1);
   m_remeshed.record();
   const Index w = m_table.split_edge(h);
   m_remeshed.put(w, middle);
-  return keep_if_better(std::array<Index, 5>{{w, a, b, c, d}}, (std::max)(.6 * before, (std::min)(before, good)));
+  return keep_if_better(std::array<Index, 5>{{w, a, b, c, d}},
+                        (std::max)(least_gain * before, (std::min)(before, good)));
 }
 
 } // namespace internal

@@ -15,6 +15,8 @@
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/bounding_box.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
@@ -25,11 +27,15 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Normals of the faces. A face without area has that of the neighbour across its longest side, so that a crease
-// beside it is found where its other sides are.
+// Normals of the faces. A face without area, but for the seven digits that files have, has that of the neighbour across
+// its longest side, so that a crease beside it is found where its other sides are.
 inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
 {
+  constexpr double rounding = 1e-6; // of the diagonal
   const Metric metric(mesh);
+  const Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  const Vector diagonal(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  const double least_height = rounding * std::sqrt(diagonal.squared_length());
   std::vector<Vector> normal(mesh.number_of_faces(), Vector(0., 0., 0.));
   std::vector<Face> flat;
   for(Face f : mesh.faces())
@@ -37,8 +43,9 @@ inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
     const auto v = vertices_of(mesh, f);
     const Vector a(mesh.point(v[0]), mesh.point(v[1])), b(mesh.point(v[0]), mesh.point(v[2]));
     const Vector n = cross_product(a, b);
-    const double length = std::sqrt(n.squared_length()), sides = a.squared_length() + b.squared_length();
-    if(length > 1e-10 * sides)
+    const double length = std::sqrt(n.squared_length());
+    const double side = std::sqrt((std::max)({a.squared_length(), b.squared_length(), (b - a).squared_length()}));
+    if(length > least_height * side)
       normal[f] = n / length;
     else
       flat.push_back(f);
@@ -150,10 +157,11 @@ inline void remove_narrow_corners(const Mesh& mesh, double least_angle, const st
 
 // An input of few faces bends at its edges alone. Where these are long beside the new edges, have room beside them and
 // bound whole sides, as those of a cube, a mesh that does not follow them cuts off what the input is. A single sharp
-// edge in a smooth coarse surface is nothing of the kind.
+// edge in a smooth coarse surface is nothing of the kind; nor are the edges of an octagonal prism, which may well stand
+// for something round.
 inline void add_long_creases(const Mesh& mesh, double edge_length, Constraints& constraints)
 {
-  constexpr double angle = 45., least_length = 3., least_height = 1.5, least_angle = 30.;
+  constexpr double angle = 50., least_length = 3., least_height = 1.5, least_angle = 30.;
   const Metric metric(mesh);
   const auto is_long = [&](Edge e) { return metric.length(e) > least_length * edge_length; };
   if(std::none_of(mesh.edges().begin(), mesh.edges().end(), is_long))

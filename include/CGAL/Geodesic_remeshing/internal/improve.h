@@ -119,7 +119,7 @@ inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
 {
   for(int round = 0; round < 3; ++round)
   {
-    if(Polish(remeshed).run(badness_of_angle(remeshed.has_lines() ? 30. : 32.), true) == 0)
+    if(Polish(remeshed).run(badness_of_angle(remeshed.has_lines() ? 30. : 34.), true) == 0)
       return round > 0;
     Vertex_count(remeshed, parameters.edge_length, remeshed.has_lines() ? 10. : 30.)
         .reach(parameters.number_of_vertices);
