@@ -454,6 +454,9 @@ TEST_F(Command_line, unreadable_input)
   expect_bad_input(file("a.xyz", "0 0 0\n"), "cannot be read");
   expect_bad_input(file("a.off", "this is no mesh\n"), "cannot be read");
   expect_bad_input(file("truncated.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n"), "truncated.off");
+  expect_bad_input(file("of_none.ply", "ply\nformat ascii 1.0\nproperty double x\nelement vertex 1\nend_header\n0\n"),
+                   "of_none.ply");
+  expect_bad_input(file("huge.ply", "ply\nformat ascii 1.0\nelement vertex 43333333333\nend_header\n"), "huge.ply");
   expect_bad_input(file("huge.off", "OFF\n4000000000000 4 0\n0 0 0\n1 0 0\n"), "huge.off");
   expect_bad_input(file("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"), "a.ply");
 }

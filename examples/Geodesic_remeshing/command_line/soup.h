@@ -67,19 +67,30 @@ private:
   std::streambuf* m_buffer;
 };
 
-// The reader of CGAL adds such a property to the last element there is.
-inline bool has_property_before_elements(std::istream& ply)
+// Whether the header of a PLY file can be given to the reader of CGAL, which adds a property before all elements to the
+// last element there is, and makes as many points as the header tells, be there a byte for each or not.
+inline bool is_header_possible(std::istream& ply)
 {
-  std::string line, word;
-  while(std::getline(ply, line))
+  const auto start = ply.tellg();
+  if(start < 0) // nothing but to read it once
+    return true;
+  ply.seekg(0, std::ios::end);
+  const auto bytes = static_cast<std::size_t>(ply.tellg() - start);
+  ply.seekg(start);
+  bool has_element = false;
+  for(std::string line; std::getline(ply, line);)
   {
     std::istringstream words(line);
-    word.clear();
-    words >> word;
-    if(word == "property" || word == "element" || word == "end_header")
-      return word == "property";
+    std::string keyword, name;
+    std::size_t number;
+    words >> keyword;
+    if(keyword == "end_header")
+      break;
+    if((keyword == "property" && !has_element) || (keyword == "element" && words >> name >> number && number > bytes))
+      return false;
+    has_element = has_element || keyword == "element";
   }
-  return false;
+  return true;
 }
 
 inline bool read_soup(const Input_file& file, Soup& soup)
@@ -90,7 +101,7 @@ inline bool read_soup(const Input_file& file, Soup& soup)
   if(file.format() == "obj")
     return CGAL::IO::read_OBJ(*in, soup.points, soup.polygons);
   if(file.format() == "ply")
-    return !has_property_before_elements(*file.open()) && CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
+    return is_header_possible(*file.open()) && CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
   if(file.format() == "ts")
     return CGAL::IO::read_GOCAD(*in, soup.points, soup.polygons);
   if(file.format() != "stl")
