@@ -236,6 +236,27 @@ TEST(Hard_surface, sheets_on_each_other)
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 30.);
 }
 
+// Ten small spheres just inside of a large one: its triangles cut through them until there are smaller ones.
+TEST(Hard_surface, sheets_nearer_to_each_other_than_triangles_are_flat)
+{
+  std::vector<Mesh> spheres = {made::sphere(4)};
+  for(int i = 0; i < 10; ++i)
+  {
+    const double u = .3 + .22 * i, x = std::cos(u) * std::sin(.9), y = std::sin(u) * std::sin(.9), z = std::cos(.9);
+    const Vector at(x, std::cos(.3) * y - std::sin(.3) * z, std::sin(.3) * y + std::cos(.3) * z);
+    spheres.push_back(made::moved(made::scaled(made::sphere(1), .04), .954 * at));
+  }
+  for(const std::size_t number : {150, 250})
+    EXPECT_EQ(expect_valid(made::together(spheres), number).self_intersections, 0u);
+}
+
+// The cheapest places to take a vertex from all bear it not: others do. Found at random.
+TEST(Hard_surface, fewest_vertices_of_a_thin_torus)
+{
+  Random random(50104);
+  expect_valid(random_surfaces::random_surface(random), 7);
+}
+
 namespace {
 
 // The same surface with its vertices and faces in another order

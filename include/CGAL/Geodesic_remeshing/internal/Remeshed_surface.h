@@ -35,6 +35,8 @@ namespace internal {
 // slide.
 class Remeshed_surface
 {
+  enum class Hold : char { none, corner, tip, leash };
+
 public:
   using Index = Lean_triangulation::Index;
 
@@ -108,6 +110,22 @@ public:
   Mark mark() const { return {m_connectivity.mark(), m_journal.size()}; }
   void undo_to(Mark mark);
   void forget();
+  // All that changes, for trials of many steps that use records themselves.
+  struct State
+  {
+    Lean_triangulation connectivity;
+    std::vector<Spot> spots;
+    std::vector<Hold> hold;
+    std::vector<Point> homes;
+  };
+  State state() const { return {m_connectivity, m_spots, m_hold, m_homes}; }
+  void restore(const State& state)
+  {
+    m_connectivity = state.connectivity;
+    m_spots = state.spots;
+    m_hold = state.hold;
+    m_homes = state.homes;
+  }
 
   double badness(Index u, Index v, Index w) const;
   double ring_badness(Index v) const;
@@ -130,8 +148,6 @@ public:
   }
 
 private:
-  enum class Hold : char { none, corner, tip, leash };
-
   bool is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const;
 
   const Surface_walker& m_walker;

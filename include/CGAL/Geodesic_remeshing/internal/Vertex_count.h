@@ -72,6 +72,7 @@ private:
   double m_squared_edge_length;
   double m_least_angle;                // that a change may leave
   double m_least_angle_on_lines = 30.; // that a collapse along a line may leave; lowered only if nothing else is left
+  std::size_t m_more = 0;              // changes looked at
   std::vector<Change> m_changes;
   std::vector<char> m_touched; // vertices whose valence or place has changed since the costs were found
 };
@@ -108,11 +109,13 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
 inline bool Vertex_count::reach_at_any_cost(const std::size_t number_of_vertices)
 {
   for(const double angle : {10., 5., 2., 1.})
-  {
-    m_least_angle = angle;
-    if(reach(number_of_vertices))
-      return true;
-  }
+    for(const std::size_t more : {0, 5000})
+    {
+      m_least_angle = angle;
+      m_more = more;
+      if(reach(number_of_vertices))
+        return true;
+    }
   return false;
 }
 
@@ -197,10 +200,11 @@ inline void Vertex_count::find_edge_splits()
   }
 }
 
-// Neighbours of a change made have to wait for the next pass; so some more than wanted are looked at.
+// Neighbours of a change made have to wait for the next pass; so some more than wanted are looked at. The cheapest may
+// all be in a place that bears none: then many more.
 inline void Vertex_count::keep_cheapest(const std::size_t number)
 {
-  const std::size_t kept = (std::min)(m_changes.size(), 8 * number + 16);
+  const std::size_t kept = (std::min)(m_changes.size(), 8 * number + 16 + m_more);
   std::nth_element(m_changes.begin(), m_changes.begin() + kept, m_changes.end());
   m_changes.resize(kept);
   std::sort(m_changes.begin(), m_changes.end());

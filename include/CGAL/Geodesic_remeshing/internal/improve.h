@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Conflict_refinement.h>
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
@@ -207,6 +208,7 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round)
     ;
   part_intersections(remeshed);
+  Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
   Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
   go_on(1.);
 }
