@@ -168,8 +168,9 @@ inline bool Conflict_refinement::refine(const std::size_t number_of_vertices)
 
 inline void Conflict_refinement::run(const std::size_t number_of_vertices)
 {
-  const std::size_t before = find_pairs().size();
-  if(before == 0 || before > number_of_vertices / 4 || m_table.number_of_vertices() != number_of_vertices)
+  // More pairs than these are those of an input that intersects itself, where all would be tried in vain.
+  const std::size_t most = 20 + number_of_vertices / 200, before = find_pairs().size();
+  if(before == 0 || before > most || m_table.number_of_vertices() != number_of_vertices)
     return;
   const double worst_before = worst(), poor = badness_of_angle(15.);
   const Remeshed_surface::State state = m_remeshed.state();
