@@ -74,23 +74,36 @@ inline std::vector<Quadric> recover_tips(Remeshed_surface& remeshed, const doubl
   return planes;
 }
 
-// Sweeps of defect moves until they gain next to nothing, since each costs two rounds of steps over the whole mesh. The
+enum class Sweeps { first, last };
+
+// The steps between the first sweeps make the mesh even, those between the last keep to the surface. Short steps need
+// both each time; long ones one kind, as in turn either takes back a part of what the other did.
+inline void step_after_sweep(Remeshed_surface& remeshed, const Sweeps sweeps, const std::vector<Quadric>& planes)
+{
+  const bool does_both = !takes_long_steps(remeshed);
+  flip_to_regular_valences(remeshed);
+  if(does_both || sweeps == Sweeps::first)
+    relax(remeshed);
+  if(does_both)
+    flip_to_regular_valences(remeshed);
+  if(does_both || sweeps == Sweeps::last)
+    relax_with_quadrics(remeshed, planes);
+}
+
+// Sweeps of defect moves until they gain next to nothing, since each costs steps over the whole mesh. The
 // short ways come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps
 // are what the angles live on.
 template <class Progress>
-bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const std::size_t first_depth,
+bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const Sweeps which,
                     const std::vector<Quadric>& planes, const Progress& go_on)
 {
   constexpr std::size_t sweeps = 6, last_depth = 12;
   const int least_gain = static_cast<int>(remeshed.connectivity().number_of_vertices() / 200);
   for(std::size_t i = 0; i < sweeps; ++i)
   {
-    const std::size_t depth = (std::min)(first_depth + 4 * i, last_depth);
+    const std::size_t depth = (std::min)((which == Sweeps::first ? 4 : 8) + 4 * i, last_depth);
     const int gain = moves.sweep(depth);
-    flip_to_regular_valences(remeshed);
-    relax(remeshed);
-    flip_to_regular_valences(remeshed);
-    relax_with_quadrics(remeshed, planes);
+    step_after_sweep(remeshed, which, planes);
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;
     if(gain <= least_gain && depth == last_depth)
@@ -165,13 +178,13 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
     planes = quadrics(remeshed, Nearest_vertices(remeshed)); // the vertices are others now
   if(parameters.use_defect_moves)
   {
-    if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), 4, planes,
+    if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), Sweeps::first, planes,
                        [&](const double progress) { return go_on(.5 * progress); }))
       return false;
     planes = recover_tips(remeshed, tolerance);
     remeshed.keep_tips_on_leash(leash);
     remeshed.energy().let_numbers_count(true);
-    if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), 8, planes,
+    if(!remove_defects(remeshed, Defect_moves(remeshed, leash, effort), Sweeps::last, planes,
                        [&](const double progress) { return go_on(.5 + .5 * progress); }))
       return false;
   }

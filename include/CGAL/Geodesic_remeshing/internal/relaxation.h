@@ -27,15 +27,22 @@ inline double tolerated_badness()
   return badness;
 }
 
+// On a mesh of many vertices limbs are many edges around, and few places need more steps than the others: there longer
+// and fewer steps lead to the same angles and distances.
+inline bool takes_long_steps(const Remeshed_surface& remeshed)
+{
+  return remeshed.connectivity().number_of_vertices() > 8000 && remeshed.metric().is_uniform() && !remeshed.has_lines();
+}
+
 // Moves the vertex of a ring the given way, or if this spoils the ring by .4 or .16 of it. Most steps leave the ring
-// good, so what it was is asked last. The way is made 1.3 times as long, which evens a mesh out in fewer rounds; but
-// not with a sizing or on lines: there what the steps lead to when nothing moves any more is not quite the lengths
+// good, so what it was is asked last. The way is made 1.3 or 1.5 times as long, which evens a mesh out in fewer rounds;
+// but not with a sizing or on lines: there what the steps lead to when nothing moves any more is not quite the lengths
 // wished.
 inline void try_way(Remeshed_surface& remeshed, const Lean_triangulation::Index v, const Vertex_ring& ring, Vector way)
 {
   double limit = tolerated_badness();
   if(remeshed.metric().is_uniform() && !remeshed.has_lines())
-    way = 1.3 * way;
+    way = (takes_long_steps(remeshed) ? 1.5 : 1.3) * way;
   for(int trial = 0; trial < 3; ++trial, way = .4 * way)
   {
     const Remeshed_surface::Spot spot = remeshed.spot_after(v, way);
