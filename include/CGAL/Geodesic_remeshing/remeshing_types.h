@@ -97,8 +97,7 @@ public:
 struct Default_visitor
 {
   /// called when a stage begins: `"input"`, `"sizing"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`,
-  /// `"samples"`, `"strips"`,
-  /// `"improvement"`, `"fitting"` (with `do_project(false)`), `"output"`
+  /// `"samples"`, `"strips"`, `"improvement"`, `"fitting"` (with `do_project(false)`), `"output"`
   void stage(const std::string& /* name */) {}
   /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work
   bool progress(double /* done */) { return true; }
