@@ -12,7 +12,6 @@
 
 #include "soup.h"
 
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -49,14 +48,27 @@ inline std::size_t drop_small_parts(Mesh& mesh, double percent)
   return small.size();
 }
 
+// A halfedge of each. (The function of CGAL for this has moved to other headers since 6.0.)
+inline std::vector<Mesh::Halfedge_index> holes_of(const Mesh& mesh)
+{
+  std::vector<Mesh::Halfedge_index> holes;
+  std::vector<bool> seen(mesh.number_of_halfedges(), false);
+  for(const Mesh::Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h) && !seen[h])
+    {
+      holes.push_back(h);
+      for(const Mesh::Halfedge_index g : mesh.halfedges_around_face(h))
+        seen[g] = true;
+    }
+  return holes;
+}
+
 // Holes with at most so many edges are closed.
 inline std::size_t fill_small_holes(Mesh& mesh, std::size_t edges)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<Mesh::Halfedge_index> holes;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
   std::size_t number = 0;
-  for(const Mesh::Halfedge_index hole : holes)
+  for(const Mesh::Halfedge_index hole : holes_of(mesh))
   {
     const auto around = mesh.halfedges_around_face(hole);
     if(static_cast<std::size_t>(std::distance(around.begin(), around.end())) > edges)
