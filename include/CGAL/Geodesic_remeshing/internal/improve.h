@@ -144,8 +144,9 @@ inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
 }
 
 // Again and again, because what parts one pair may bring another together; then at the cost of tips, last of angles. A
-// surface that intersects itself leaves as many pairs as before, whatever is done.
-inline void part_intersections(Remeshed_surface& remeshed)
+// surface that intersects itself leaves as many pairs as before, whatever is done. Returns whether none is known to be
+// left.
+inline bool part_intersections(Remeshed_surface& remeshed)
 {
   constexpr std::size_t many = 100;
   const std::array<double, 5> angles = {{30., 30., 30., 25., 20.}};
@@ -154,10 +155,13 @@ inline void part_intersections(Remeshed_surface& remeshed)
   for(std::size_t i = 0; i < angles.size(); ++i)
   {
     const std::size_t number = repair.run(badness_of_angle(angles[i]), i > 0);
-    if(number == 0 || (number > many && number > before - before / 20))
-      break;
+    if(number == 0)
+      return true;
+    if(number > many && number > before - before / 20)
+      return false;
     before = number;
   }
+  return false;
 }
 
 // Tips and defects hinder each other: a pinned tip stops the pairs that glide, and the steps between their sweeps
@@ -220,8 +224,8 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
   Polish polish(remeshed, is_small(remeshed, parameters.number_of_vertices));
   for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round)
     ;
-  part_intersections(remeshed);
-  Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
+  if(!part_intersections(remeshed))
+    Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
   Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
   go_on(1.);
 }
