@@ -21,7 +21,6 @@
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Tip_recovery.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_count.h>
-#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/quadric_relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
@@ -43,7 +42,6 @@ struct Improvement_parameters
   double edge_length;
   std::size_t number_of_iterations = 3;
   bool use_defect_moves = true;
-  Concurrency concurrency = Concurrency();
 };
 
 // Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what

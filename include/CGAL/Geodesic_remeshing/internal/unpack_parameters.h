@@ -55,7 +55,6 @@ struct Options
     Improvement_parameters result{number_of_vertices, edge_length};
     result.number_of_iterations = number_of_iterations;
     result.use_defect_moves = use_defect_moves;
-    result.concurrency = concurrency;
     return result;
   }
 };
