@@ -87,11 +87,26 @@ namespace CGAL {
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_index_map}
- *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between `0` and
- *                           `num_vertices(tmesh) - 1`}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
+ *                           large gaps}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
  *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sizing_field}
@@ -419,6 +434,17 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
  * written to, are filled for the result as the other overload fills the ones of its output.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
+ * @tparam Target as for the other overload
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param tmesh the input, and then the output
+ * @param target as for the other overload
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the input of the other
+ * overload, and `face_region_map`
+ *
+ * @return what was made, and in what time
+ *
+ * @throws whatever the other overload throws; `tmesh` is then left as it was
  */
 template <class TriangleMesh, class Target, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING

@@ -23,14 +23,16 @@ public:
   /// a number type
   typedef unspecified_type FT;
 
-  /// returns the length of the edges at `v`, positive and finite, up to a factor that is the same for all vertices.
+  /// \return the length of the edges at `v`, positive and finite, up to a factor that is the same for all vertices
+  /// \param v a vertex that has a face
   FT at(vertex_descriptor v) const;
 
   /// \name Optional
   /// @{
 
-  /// returns the limits of the lengths. A class that has no limits of its own need not have this function; named
+  /// tells the limits of the lengths. A class that has no limits of its own need not have this function; named
   /// parameters of `CGAL::geodesic_remeshing()` come before what it returns.
+  /// \return the limits
   CGAL::Geodesic_remeshing::Sizing_limits limits() const;
 
   /// @}

@@ -14,11 +14,13 @@ that they throw passes through to the caller, the output being as it was before.
 class GeodesicRemeshingVisitor
 {
 public:
-  /// called when a stage begins; `CGAL::Geodesic_remeshing::Default_visitor::stage()` lists their names
+  /// is called when a stage begins.
+  /// \param name one of those that `CGAL::Geodesic_remeshing::Default_visitor::stage()` lists
   void stage(const std::string& name);
 
-  /// called now and then with the part of the whole work that is done, from 0 to 1, which never falls. Returning
-  /// `false` before 1 stops the work: `CGAL::Geodesic_remeshing::Remeshing_error` is thrown, and the output is as it
-  /// was before.
+  /// is called now and then.
+  /// \param done the part of the whole work that is done, from 0 to 1, which never falls
+  /// \return `false` before 1 stops the work: `CGAL::Geodesic_remeshing::Remeshing_error` is thrown, and the output is
+  /// as it was before
   bool progress(double done);
 };

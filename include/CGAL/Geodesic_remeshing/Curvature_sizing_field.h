@@ -110,6 +110,30 @@ public:
    *     \cgalParamType{a class model of `Kernel`, or any with these functors}
    *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_index_map}
+   *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
+   *                           large gaps}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+   *                    type}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{halfedge_index_map}
+   *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index, from zero without
+   *                           large gaps}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::size_t` as
+   *                    value type}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{face_index_map}
+   *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without
+   *                           large gaps}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value
+   *                    type}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not
@@ -147,10 +171,11 @@ public:
       put(m_length, input.vertex_of[i], lengths[i]);
   }
 
-  /// returns the length of the edges at `v`, relative to their mean length.
+  /// \return the length of the edges at `v`, relative to their mean length
+  /// \param v a vertex of the mesh given to the constructor
   double at(vertex_descriptor v) const { return get(m_length, v); }
 
-  /// returns the limits given to the constructor, which `geodesic_remeshing()` keeps to.
+  /// \return the limits given to the constructor, which `geodesic_remeshing()` keeps to
   const Sizing_limits& limits() const { return m_limits; }
 
 private:

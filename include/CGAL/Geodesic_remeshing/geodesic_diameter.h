@@ -30,6 +30,7 @@ namespace Geodesic_remeshing {
 template <typename TriangleMesh>
 struct Geodesic_diameter
 {
+  /// vertex descriptor
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// one end
@@ -67,6 +68,29 @@ struct Geodesic_diameter
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_weight_map}
  *     \cgalParamDescription{how much harder than usual the surface is to pass around each vertex, as in
  *                           `geodesic_distances()`}
@@ -82,21 +106,6 @@ struct Geodesic_diameter
  *                    `double` converts to}
  *     \cgalParamDefault{distances are not written}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_index_map}
- *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
- *                           large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
- *                    type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_index_map}
- *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without
- *                           large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
  *                           `Compute_z_3`}
@@ -105,10 +114,10 @@ struct Geodesic_diameter
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * @pre `tmesh` is a triangle mesh with finite coordinates and positive weights; else `std::invalid_argument` is thrown,
- *      saying which face or vertex is wrong.
- *
  * @return the two vertices, their distance and the number of runs; without faces, null vertices and 0
+ *
+ * @throws std::invalid_argument if a face is not a triangle, a coordinate is not finite or a weight not positive and
+ * finite; the message says which vertex or face
  *
  * @sa `geodesic_distances()`
  */

@@ -69,18 +69,19 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  * up to rounding and rare obtuse angles.
  *
  * Complexity: \cgalBigO{n \log n} in the number of vertices, once to set up and once to march; \cgalBigO{n} in memory.
+ * There is no `concurrency_tag`: a front settles one vertex after the other. The function keeps no state, so that
+ * several threads can call it at the same time, for other sources of the same mesh too.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeGraph`
  * @tparam VertexDistanceMap a model of `WritablePropertyMap` with
- *        `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *         as key type and a floating-point type as value type
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a floating-point type as value type
  * @tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or
- *        `CGAL::Polygon_mesh_processing::Face_location`, or a range
- *         of either
+ * `CGAL::Polygon_mesh_processing::Face_location`, or a range of either
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param tmesh the surface, with or without boundary
- * @param vertex_distance_map receives the distances; infinity at vertices that no path leads to or that are too far
+ * @param vertex_distance_map receives the distances, in the unit of the coordinates; infinity at vertices that no path
+ * leads to or that are too far
  * @param sources a vertex, a point in a face, or a range of vertices or of points
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -91,10 +92,32 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_weight_map}
  *     \cgalParamDescription{how much harder than usual the surface is to pass around each vertex: an edge counts as
- *                           long as it is
- *                           times the mean of the weights at its ends}
+ *                           long as it is times the mean of the weights at its ends; positive and finite}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type}
  *     \cgalParamDefault{1 at every vertex}
@@ -104,21 +127,6 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_index_map}
- *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
- *                           large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
- *                    type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_index_map}
- *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without
- *                           large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
  *                           `Compute_z_3`}
@@ -127,9 +135,9 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * @pre `tmesh` is a triangle mesh with finite coordinates and positive weights; the coordinates of points in faces
- *        are not negative
- *      and add up to one. Else `std::invalid_argument` is thrown, saying what is wrong where.
+ * @throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, a weight not positive and
+ * finite, or if the barycentric coordinates of a source are negative or do not add up to one; the message says what is
+ * wrong where, and `vertex_distance_map` is left as it was
  *
  * @sa `geodesic_distances_from_curve()`
  * @sa `geodesic_diameter()`
@@ -164,14 +172,14 @@ void geodesic_distances(const TriangleMesh& tmesh, VertexDistanceMap vertex_dist
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeGraph`
  * @tparam VertexDistanceMap a model of `WritablePropertyMap` with
- *        `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
- *         as key type and a floating-point type as value type
+ * `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a floating-point type as value type
  * @tparam Curve a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or of
- *         `CGAL::Polygon_mesh_processing::Face_location`
+ * `CGAL::Polygon_mesh_processing::Face_location`
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param tmesh the surface, with or without boundary
- * @param vertex_distance_map receives the distances; infinity at vertices that no path leads to or that are too far
+ * @param vertex_distance_map receives the distances, in the unit of the coordinates; infinity at vertices that no path
+ * leads to or that are too far
  * @param curve the points of the curve in their order
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -182,10 +190,32 @@ void geodesic_distances(const TriangleMesh& tmesh, VertexDistanceMap vertex_dist
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_weight_map}
  *     \cgalParamDescription{how much harder than usual the surface is to pass around each vertex: an edge counts as
- *                           long as it is
- *                           times the mean of the weights at its ends}
+ *                           long as it is times the mean of the weights at its ends; positive and finite}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type}
  *     \cgalParamDefault{1 at every vertex}
@@ -195,21 +225,6 @@ void geodesic_distances(const TriangleMesh& tmesh, VertexDistanceMap vertex_dist
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_index_map}
- *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
- *                           large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
- *                    type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_index_map}
- *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without
- *                           large gaps}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{tells the coordinates of the points: its functors `Compute_x_3`, `Compute_y_3`,
  *                           `Compute_z_3`}
@@ -218,9 +233,8 @@ void geodesic_distances(const TriangleMesh& tmesh, VertexDistanceMap vertex_dist
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * @pre `tmesh` is a triangle mesh with finite coordinates and positive weights; consecutive points of the curve have
- *        a face or an edge
- *      in common. Else `std::invalid_argument` is thrown, saying what is wrong where.
+ * @throws std::invalid_argument as `geodesic_distances()` does, and if consecutive points of the curve have no face in
+ * common
  *
  * @sa `geodesic_distances()`
  */

@@ -64,6 +64,9 @@ struct Remeshing_validity
 /*!
  * \ingroup PkgGeodesicRemeshingTypesRef
  * writes one line for each thing checked.
+ * @param out the stream
+ * @param validity what is written
+ * @return `out`
  */
 inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& validity)
 {
@@ -111,6 +114,29 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *                           `Compute_z_3`}
  *     \cgalParamType{a class model of `Kernel`, or any with these functors}
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `tmesh` a unique index, from zero without large
+ *                           gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{the edges of `tmesh`, beside those of its boundary, that edges of the output must cover}
@@ -160,6 +186,28 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *                           `Compute_z_3`}
  *     \cgalParamType{a class model of `Kernel`, or any with these functors}
  *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `remeshed` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<OutputMesh>::%vertex_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `remeshed` a unique index, from zero
+ *                           without large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<OutputMesh>::%halfedge_descriptor` as key type and `std::size_t` as value
+ *                    type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_index_map}
+ *     \cgalParamDescription{a property map associating to each face of `remeshed` a unique index, from zero without
+ *                           large gaps}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
+ *                    as key type and `std::size_t` as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *

@@ -79,6 +79,16 @@ struct Summary
 };
 
 /*!
+ * \ingroup PkgGeodesicRemeshingRegionsRef
+ * The three kinds of regions of a region tree (paper, section 5).
+ */
+enum class Region_kind {
+  leaf,     ///< a disc around a maximum of the distance from the root
+  interior, ///< an annulus between the fronts of its children and the next meeting of fronts
+  root      ///< the disc around the root
+};
+
+/*!
  * \ingroup PkgGeodesicRemeshingTypesRef
  * Thrown when the input is fine but what was asked for cannot be made: fewer vertices than the topology needs, or
  * the visitor stopped the work. The output is as it was before the call.
@@ -99,7 +109,8 @@ struct Default_visitor
   /// called when a stage begins: `"input"`, `"sizing"`, `"refinement"`, `"distances"`, `"regions"`, `"curves"`,
   /// `"samples"`, `"strips"`, `"improvement"`, `"fitting"` (with `do_project(false)`), `"output"`
   void stage(const std::string& /* name */) {}
-  /// called now and then with the part of the whole work that is done, from 0 to 1; `false` stops the work
+  /// called now and then with the part of the whole work that is done, from 0 to 1
+  /// \return `false` to stop the work
   bool progress(double /* done */) { return true; }
 };
 

@@ -11,23 +11,13 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_SEGMENTATION_H
 
 #include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
-
-/*!
- * \ingroup PkgGeodesicRemeshingRegionsRef
- * The three kinds of regions of a region tree (paper, section 5).
- */
-enum class Region_kind {
-  leaf,     ///< a disc around a maximum of the distance from the root
-  interior, ///< an annulus between the fronts of its children and the next meeting of fronts
-  root      ///< the disc around the root
-};
-
 namespace internal {
 
 // Notation of the paper, section 5. Fronts start at the maxima of the distance D from the root and sweep down. A region
