@@ -11,30 +11,22 @@
 #define CGAL_GEODESIC_REMESHING_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
-#include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Stage_clock.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
-#include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_sizing.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
-#include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
-#include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/run_stages.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
-#include <CGAL/Geodesic_remeshing/internal/stages.h>
-#include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/write_output.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
-#include <cmath>
 #include <memory>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 
@@ -330,84 +322,24 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
   release(input.edges_in_order);
 
-  clock.stage("refinement", .05);
-  Working_surface working;
-  make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
-  const std::vector<Line_piece> lines = trace_lines(working, constraints);
-  const Vertex_budget budget = make_budget(target, working, goal.number_of_vertices, lines, constraints);
-  const std::size_t n = budget.number_of_vertices;
-  const double edge_length = budget.edge_length;
-  const double curve_distance =
-      std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
-
-  std::vector<char> is_corner = constraints.is_corner;
-  is_corner.resize(working.mesh.number_of_vertices(), 0);
-  Working_surface cut;
-  const bool wants_regions =
-      is_given<NamedParametersOut, Geodesic_remeshing::internal_np::face_region_map_t>; // found out at the end
-  const Working_surface& pieces = cut_along_lines(working, is_corner, cut, wants_regions);
-
-  clock.stage("distances", .1);
-  auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh, options.concurrency);
-  auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
-  Fast_marching& marching = *marching_memory;
-  Fronts_and_components fronts =
-      march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching, options.concurrency);
-  std::vector<double> distance = distances_in(marching, pieces.mesh);
-  keep_working_surface(pieces.mesh, distance, kept);
-
-  clock.stage("regions", .2);
-  Segmentation segmentation =
-      segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
-  keep_regions(pieces.mesh, segmentation, kept);
-  summary.number_of_regions = segmentation.regions.size();
-  Line_samples on_lines;
-  if(!lines.empty())
-    on_lines.distance = distances_from_lines(pieces.mesh, marching, 2. * edge_length);
-  release(marching_memory, triangulation); // the largest of what the stages make
-  release(distance, fronts.component_of, fronts.closed, fronts.open);
-
-  clock.stage("curves", .3);
-  Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
-  keep_curves(pieces.mesh, curves, kept);
-  summary.number_of_curves = curves.curves.size();
-
-  clock.stage("samples", .35);
-  on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
-  std::vector<Sample> samples;
-  parallel_invoke(
-      options.concurrency,
-      [&] {
-        samples = sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots,
-                                 budget.curve_edge_length, n, options.concurrency);
-      },
-      [&] { summary.number_of_strips = find_strips(pieces.mesh, curves).second; });
-  keep_samples(samples, kept);
-  release(curves, on_lines);
-  if(!wants_regions)
-    release(segmentation, cut.mesh);
-
-  clock.stage("strips", .45);
-  Placed_mesh remeshed;
-  triangulate_strips(surface, working, std::move(samples), edge_length, remeshed, options.concurrency);
-  keep_strips(remeshed.mesh, kept);
-
-  clock.stage("improvement", .55);
-  bool goes_on = true;
-  const double end_of_improvement = options.do_project ? .95 : .75;
-  improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
-          options.improvement(n, edge_length),
-          [&](double done) { return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done); });
-  if(!goes_on)
-    clock.give_up();
-  check_count(remeshed.mesh, n);
+  const bool wants_regions = is_given<NamedParametersOut, Geodesic_remeshing::internal_np::face_region_map_t>;
+  const Stages_work work{input.mesh, constraints, options, wants_regions};
+  auto run = std::make_unique<Stages_run>();
+  run_stages(work, target, goal, clock, kept, *run);
+  if(options.do_project && !run->conflicts.empty())
+    avoid_conflicts(work, number_as<Target>(target, run->number_of_vertices), wishes, sizing_limits_of(np_in), clock,
+                    kept, run);
+  Placed_mesh& remeshed = run->remeshed;
+  summary.number_of_regions = run->number_of_regions;
+  summary.number_of_curves = run->number_of_curves;
+  summary.number_of_strips = run->number_of_strips;
 
   if(!options.do_project)
   {
-    clock.stage("fitting", end_of_improvement);
-    const Fit_result fit = fit_surface(surface, constraints, edge_length, remeshed, [&](double done) {
-      return goes_on = goes_on && clock.go_on(end_of_improvement + (.95 - end_of_improvement) * done);
-    });
+    clock.stage("fitting", .75);
+    bool goes_on = true;
+    const Fit_result fit = fit_surface(surface, constraints, run->edge_length, remeshed,
+                                       [&](double done) { return goes_on = goes_on && clock.go_on(.75 + .2 * done); });
     if(!goes_on)
       clock.give_up();
     summary.rms_distance = fit.root_mean_square;
@@ -416,7 +348,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
   write_output(input, remeshed, np_in, out, np_out,
-               [&] { return regions_of_faces(surface, pieces, segmentation, remeshed); });
+               [&] { return regions_of_faces(surface, *run->pieces, run->segmentation, remeshed); });
   clock.stop();
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
   summary.number_of_faces = remeshed.mesh.number_of_faces();

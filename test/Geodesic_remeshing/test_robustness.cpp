@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Geodesic_remeshing/is_valid_remeshing.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/IO/OFF.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/geodesic_remeshing.h>
 
@@ -18,6 +19,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -248,6 +250,69 @@ TEST(Hard_surface, sheets_nearer_to_each_other_than_triangles_are_flat)
   }
   for(const std::size_t number : {150, 250})
     EXPECT_EQ(expect_valid(made::together(spheres), number).self_intersections, 0u);
+}
+
+namespace {
+
+Mesh read_model(const std::string& name)
+{
+  Mesh mesh;
+  EXPECT_TRUE(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/" + name + ".off"), mesh));
+  return mesh;
+}
+
+} // namespace
+
+// Thin walls, a bowl as thin as paper and a fold: triangles of one size cut through what is behind them, or turn over.
+TEST(Hard_surface, thin_walls_and_folds)
+{
+  for(const char* name : {"couplingdown", "helmet"})
+  {
+    SCOPED_TRACE(name);
+    const GR::Remeshing_validity validity = expect_valid(read_model(name), 200);
+    EXPECT_EQ(validity.self_intersections, 0u);
+    EXPECT_EQ(validity.flipped_faces, 0u);
+  }
+  Mesh output;
+  const Mesh femur = read_model("femur");
+  CGAL::geodesic_remeshing(femur, 2000, output);
+  EXPECT_TRUE(GR::is_valid_remeshing(femur, output));
+}
+
+// Where the stages are run once more, to have smaller triangles in such places, the visitor can stop them as well; it
+// is told of no stage twice, and never of less progress.
+TEST(Hard_surface, visitor_where_stages_are_repeated)
+{
+  struct Visitor
+  {
+    int calls_left;
+    int calls = 0;
+    double last = 0.;
+    std::vector<std::string> stages = {};
+    void stage(const std::string& name) { stages.push_back(name); }
+    bool progress(double done)
+    {
+      EXPECT_GE(done, last);
+      last = done;
+      ++calls;
+      return calls_left-- != 0;
+    }
+  };
+  const Mesh input = read_model("couplingdown");
+  Mesh output = made::octahedron();
+  Visitor all{-1}, of_another{-1};
+  CGAL::geodesic_remeshing(input, 200, output, gp::visitor(std::ref(all)));
+  CGAL::geodesic_remeshing(made::torus(3, 1, 30, 14), 200, output, gp::visitor(std::ref(of_another)));
+  EXPECT_GT(all.calls, of_another.calls + 10);
+  EXPECT_EQ(all.stages, of_another.stages);
+  output = made::octahedron();
+  for(const int calls : {all.calls - 15, all.calls - 3})
+  {
+    Visitor visitor{calls};
+    EXPECT_THROW(CGAL::geodesic_remeshing(input, 200, output, gp::visitor(std::ref(visitor))), GR::Remeshing_error);
+    EXPECT_EQ(visitor.calls, calls + 1);
+    EXPECT_TRUE(support::is_same_mesh(output, made::octahedron()));
+  }
 }
 
 // The cheapest places to take a vertex from all bear it not: others do. Found at random.

@@ -32,12 +32,6 @@ inline Kernel::Triangle_3 triangle_of(const Remeshed_surface& remeshed, const Le
           remeshed.spot(table.source(4 * f + 2)).point};
 }
 
-inline Vector normal_of(const Remeshed_surface& remeshed, const Lean_triangulation::Index f)
-{
-  const Kernel::Triangle_3 t = triangle_of(remeshed, f);
-  return cross_product(t[1] - t[0], t[2] - t[0]);
-}
-
 struct Face_box
 {
   std::array<double, 3> low = {{infinity, infinity, infinity}}, high = {{-infinity, -infinity, -infinity}};
@@ -85,6 +79,20 @@ inline bool are_apart(const Remeshed_surface& remeshed, const Lean_triangulation
   return start - end > 1e-3 * way.squared_length();
 }
 
+// The same for the sides of two faces across from a corner that they share, by a plane through it.
+inline bool are_apart_at_corner(const Remeshed_surface& remeshed, const Lean_triangulation::Index h,
+                                const Lean_triangulation::Index k)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  const Point& corner = remeshed.spot(table.source(h)).point;
+  const auto way_to = [&](const Lean_triangulation::Index v) { return remeshed.spot(v).point - corner; };
+  const Vector a = way_to(table.target(h)), b = way_to(table.apex(h)), c = way_to(table.target(k)),
+               d = way_to(table.apex(k));
+  const Vector way = c + d - a - b;
+  const double far = 1e-3 * way.squared_length();
+  return (std::max)(a * way, b * way) < -far && (std::min)(c * way, d * way) > far;
+}
+
 // Whether two faces have more in common than their vertices. Two that share an edge do so only if one lies on the
 // other, which is a turned face.
 inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_triangulation::Index f,
@@ -101,8 +109,7 @@ inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_tria
         h = i;
         k = j;
       }
-  // In a fan, or a fold as blunt as a right angle, those that share a vertex do not: nearly all that are asked for.
-  if(shared > 1 || (shared == 1 ? normal_of(remeshed, f) * normal_of(remeshed, g) > 0. : are_apart(remeshed, f, g)))
+  if(shared > 1 || (shared == 1 ? are_apart_at_corner(remeshed, h, k) : are_apart(remeshed, f, g)))
     return false;
   const Kernel::Triangle_3 s = triangle_of(remeshed, f), t = triangle_of(remeshed, g);
   if(s.is_degenerate() || t.is_degenerate())

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <string>
@@ -34,17 +35,31 @@ public:
         16); // the last stage is entered after the output has changed, when nothing may fail any more
   }
 
+  // The stages from here on are done once more: their time counts for the one that is on, and the visitor is only asked
+  // whether to go on.
+  void repeat(const bool does_repeat) { m_does_repeat = does_repeat; }
+  bool is_stopped() const { return m_is_stopped; }
+
   // Begins a stage, at which this part of the whole work is done, and ends the one before.
   void stage(const std::string& name, double done)
   {
-    stop();
-    m_name = name;
-    m_visitor.stage(name);
+    if(!m_does_repeat)
+    {
+      stop();
+      m_name = name;
+      m_visitor.stage(name);
+    }
     if(!go_on(done))
       give_up();
   }
 
-  bool go_on(double done) { return m_visitor.progress(done); }
+  bool go_on(double done)
+  {
+    m_done = (std::max)(m_done, done);
+    m_is_stopped = true; // also if it throws
+    m_is_stopped = !m_visitor.progress(m_done);
+    return !m_is_stopped;
+  }
 
   [[noreturn]] void give_up() const
   {
@@ -72,6 +87,9 @@ private:
   const bool m_is_parallel;
   std::string m_name;
   double m_start;
+  double m_done = 0.; // the largest that the visitor has been told
+  bool m_does_repeat = false;
+  bool m_is_stopped = false;
 };
 
 } // namespace internal

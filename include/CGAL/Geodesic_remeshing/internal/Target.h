@@ -66,6 +66,17 @@ inline std::size_t vertices_for_faces(const Mesh& surface, std::size_t faces)
   return static_cast<std::size_t>(vertices);
 }
 
+// The same target again when its number of vertices is known: a length does not tell it any more once the sizing is
+// another one.
+template <class Target>
+auto number_as(const Target& target, const std::size_t number_of_vertices)
+{
+  if constexpr(std::is_same<Target, Edge_length>::value)
+    return number_of_vertices;
+  else
+    return target;
+}
+
 // The number of vertices that a target means for this surface
 template <class Target>
 std::size_t number_of_vertices_for(const Target& target, const Mesh& surface)

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 
 #include <CGAL/Geodesic_remeshing/internal/Conflict_refinement.h>
+#include <CGAL/Geodesic_remeshing/internal/Conflict_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Defect_moves.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
@@ -205,27 +206,34 @@ inline bool is_out_of_reach(Remeshed_surface& remeshed, const Improvement_parame
          !Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(wanted);
 }
 
+// Returns the conflicts that are left.
 template <class Progress>
-void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
+Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
   constexpr int polishings = 3;
   const double share = parameters.use_defect_moves ? .3 : .9;
   if(!make_regular(remeshed, parameters, [&](const double progress) { return go_on(share * progress); }) ||
      is_out_of_reach(remeshed, parameters))
-    return;
+    return {};
   if(!recover_tips_and_remove_defects(remeshed, parameters,
                                       [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
-    return;
+    return {};
   Line_fit(remeshed, parameters.edge_length).run();
   // On a small mesh many angles are below 40 degrees, and flips for all of them would cost a third of what the searches
   // gained.
   Polish polish(remeshed, is_small(remeshed, parameters.number_of_vertices));
   for(int round = 0; round < polishings && polish.run(badness_of_angle(40.), false) > 0; ++round)
     ;
-  if(!part_intersections(remeshed))
-    Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
-  Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
+  Conflicts conflicts;
+  if(!part_intersections(remeshed) || !find_turned_faces(remeshed).empty())
+    conflicts = Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
+  if(remeshed.connectivity().number_of_vertices() != parameters.number_of_vertices)
+  {
+    Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
+    conflicts = find_conflicts(remeshed);
+  }
   go_on(1.);
+  return conflicts;
 }
 
 // The last stage, section 6 of the paper and beyond: makes the valences regular, the angles even and the number of
@@ -234,19 +242,23 @@ void improve(Remeshed_surface& remeshed, const Improvement_parameters& parameter
 // such edges that is not pinned slides along them. Of the `constraints` the corners tell where lines end.
 // `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is a valid
 // mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
-// Without iterations only the number of vertices is set, to show what the stages before made.
+// Without iterations only the number of vertices is set, to show what the stages before made. Returns where faces
+// intersect or are turned over still.
 template <class Progress>
-void improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
-             Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
-             const Constraints& constraints, const Improvement_parameters& parameters, Progress&& go_on)
+std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
+                                    Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
+                                    const Constraints& constraints, const Improvement_parameters& parameters,
+                                    Progress&& go_on)
 {
   const Surface_walker walker(surface, constraints);
   Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained);
+  Conflicts conflicts;
   if(parameters.number_of_iterations == 0)
     Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);
   else
-    improve(remeshed, parameters, go_on);
+    conflicts = improve(remeshed, parameters, go_on);
   write_back(remeshed, out, place, pinned, constrained);
+  return places_of(remeshed, conflicts);
 }
 
 } // namespace internal

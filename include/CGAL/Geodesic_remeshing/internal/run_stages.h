@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_RUN_STAGES_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_RUN_STAGES_H
+
+#include <CGAL/Geodesic_remeshing/internal/Conflict_sizing.h>
+#include <CGAL/Geodesic_remeshing/internal/Constraints.h>
+#include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
+#include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/size_field.h>
+#include <CGAL/Geodesic_remeshing/internal/stages.h>
+#include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
+#include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
+#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/remeshing_types.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+// What the stages work on
+struct Stages_work
+{
+  Mesh& surface; // its metric is set for each run
+  const Constraints& constraints;
+  const Options& options;
+  bool wants_regions; // found out at the end
+};
+
+// What they make
+struct Stages_run
+{
+  std::size_t number_of_vertices = 0;
+  double edge_length = 0.;
+  Working_surface working, cut;
+  const Working_surface* pieces = nullptr; // one of these
+  Segmentation segmentation;
+  Placed_mesh remeshed;
+  std::vector<Conflict_place> conflicts;
+  std::size_t number_of_regions = 0, number_of_curves = 0, number_of_strips = 0;
+};
+
+// From the goal to the improved mesh
+template <class Target, class Clock>
+void run_stages(const Stages_work& work, const Target& target, const Goal& goal, Clock& clock, Stage_results* kept,
+                Stages_run& run)
+{
+  const Mesh& surface = work.surface;
+  const Constraints& constraints = work.constraints;
+  const Options& options = work.options;
+
+  clock.stage("refinement", .05);
+  Working_surface& working = run.working;
+  make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
+  const std::vector<Line_piece> lines = trace_lines(working, constraints);
+  const Vertex_budget budget = make_budget(target, working, goal.number_of_vertices, lines, constraints);
+  const std::size_t n = run.number_of_vertices = budget.number_of_vertices;
+  const double edge_length = run.edge_length = budget.edge_length;
+  const double curve_distance =
+      std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
+
+  std::vector<char> is_corner = constraints.is_corner;
+  is_corner.resize(working.mesh.number_of_vertices(), 0);
+  const Working_surface& pieces = cut_along_lines(working, is_corner, run.cut, work.wants_regions);
+  run.pieces = &pieces;
+
+  clock.stage("distances", .1);
+  auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh, options.concurrency);
+  auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
+  Fast_marching& marching = *marching_memory;
+  Fronts_and_components fronts =
+      march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching, options.concurrency);
+  std::vector<double> distance = distances_in(marching, pieces.mesh);
+  keep_working_surface(pieces.mesh, distance, kept);
+
+  clock.stage("regions", .2);
+  Segmentation& segmentation = run.segmentation;
+  segmentation = segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
+  keep_regions(pieces.mesh, segmentation, kept);
+  run.number_of_regions = segmentation.regions.size();
+  Line_samples on_lines;
+  if(!lines.empty())
+    on_lines.distance = distances_from_lines(pieces.mesh, marching, 2. * edge_length);
+  release(marching_memory, triangulation); // the largest of what the stages make
+  release(distance, fronts.component_of, fronts.closed, fronts.open);
+
+  clock.stage("curves", .3);
+  Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
+  keep_curves(pieces.mesh, curves, kept);
+  run.number_of_curves = curves.curves.size();
+
+  clock.stage("samples", .35);
+  on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
+  std::vector<Sample> samples;
+  parallel_invoke(
+      options.concurrency,
+      [&] {
+        samples = sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots,
+                                 budget.curve_edge_length, n, options.concurrency);
+      },
+      [&] { run.number_of_strips = find_strips(pieces.mesh, curves).second; });
+  keep_samples(samples, kept);
+  release(curves, on_lines);
+  if(!work.wants_regions)
+    release(segmentation, run.cut.mesh);
+
+  clock.stage("strips", .45);
+  Placed_mesh& remeshed = run.remeshed;
+  triangulate_strips(surface, working, std::move(samples), edge_length, remeshed, options.concurrency);
+  keep_strips(remeshed.mesh, kept);
+
+  clock.stage("improvement", .55);
+  bool goes_on = true;
+  const double end_of_improvement = options.do_project ? .95 : .75;
+  run.conflicts = improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
+                          options.improvement(n, edge_length), [&](double done) {
+                            return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done);
+                          });
+  if(!goes_on)
+    clock.give_up();
+  check_count(remeshed.mesh, n);
+}
+
+// Where triangles as large as these are in conflict smaller ones are tried, at the cost of others, until there are no
+// conflicts left or that does not help any more. `wishes` and `limits` are those of the first run, which is the best so
+// far, and the number of vertices remains its own.
+template <class Target, class Clock>
+void avoid_conflicts(const Stages_work& work, const Target& target, const std::vector<double>& wishes,
+                     const Sizing_limits& limits, Clock& clock, Stage_results* kept, std::unique_ptr<Stages_run>& best)
+{
+  leave_out_conflicts_of_input(work.surface, best->conflicts);
+  const std::size_t runs = best->number_of_vertices <= 20000 ? 6 : 2; // of large meshes each takes its time
+  Conflict_sizing sizing(work.surface, wishes, limits);
+  std::vector<Conflict_place> conflicts = best->conflicts;
+  clock.repeat(true);
+  for(std::size_t i = 0; i < runs && !conflicts.empty(); ++i)
+  {
+    sizing.shorten(conflicts);
+    auto run = std::make_unique<Stages_run>();
+    Stage_results stages;
+    try
+    {
+      const Goal goal = set_goal(target, sizing.wishes(), sizing.limits(), work.surface);
+      run_stages(work, target, goal, clock, kept == nullptr ? kept : &stages, *run);
+    }
+    catch(const Remeshing_error&) // so small they cannot be
+    {
+      if(clock.is_stopped())
+        throw;
+      break;
+    }
+    leave_out_conflicts_of_input(work.surface, run->conflicts);
+    conflicts = run->conflicts;
+    if(conflicts.size() < best->conflicts.size())
+    {
+      best = std::move(run);
+      if(kept != nullptr)
+        *kept = std::move(stages);
+    }
+  }
+  clock.repeat(false);
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_RUN_STAGES_H
