@@ -42,6 +42,7 @@ struct Options
   std::string output;
   std::string meshes; // a folder for the meshes that are measured; empty: they are not kept
   std::vector<Task> tasks;
+  bool has_own_tasks = false; // named by the caller
 };
 
 // Reads [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]; without a model: the tasks given.
@@ -64,7 +65,8 @@ inline Options read_options(int argc, char* argv[], const std::vector<Task>& tas
       throw std::invalid_argument(std::string("usage: ") + argv[0] +
                                   " [--repeats R] [--output PREFIX] [--meshes FOLDER] [MODEL=N ...]");
   }
-  if(options.tasks.empty())
+  options.has_own_tasks = !options.tasks.empty();
+  if(!options.has_own_tasks)
     options.tasks = tasks;
   return options;
 }
