@@ -31,12 +31,12 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // a colour at each vertex, and two parts of faces
+  // a color at each vertex, and two parts of faces
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const auto height = [&](Vertex v) { return (mesh.point(v).y() - box.ymin()) / box.y_span(); };
-  auto colour = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
+  auto color = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : mesh.vertices())
-    colour[v] = CGAL::IO::Color(static_cast<unsigned char>(255. * height(v)), 120, 60);
+    color[v] = CGAL::IO::Color(static_cast<unsigned char>(255. * height(v)), 120, 60);
   auto part = mesh.add_property_map<Face, int>("f:part").first;
   for(const Face f : mesh.faces())
     part[f] = height(mesh.target(mesh.halfedge(f))) > .5 ? 1 : 0;
@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
   CGAL::geodesic_remeshing(mesh, 5000, out, parameters::face_patch_map(part),
                            parameters::vertex_location_map(location));
 
-  GR::transfer_vertex_property(mesh, colour, out, location,
+  GR::transfer_vertex_property(mesh, color, out, location,
                                out.add_property_map<Vertex, CGAL::IO::Color>("v:color").first);
   auto new_part = out.add_property_map<Face, int>("f:part").first;
   GR::transfer_face_property(mesh, part, out, location, new_part);
@@ -56,7 +56,7 @@ int main(int argc, char* argv[])
   for(const Face f : out.faces())
     upper += new_part[f];
   std::cout << upper << " of " << out.number_of_faces() << " faces belong to the upper part\n";
-  std::ofstream file("coloured.ply");
+  std::ofstream file("colored.ply");
   CGAL::IO::write_PLY(file, out);
   return EXIT_SUCCESS;
 }

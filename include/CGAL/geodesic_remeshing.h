@@ -256,7 +256,7 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_region_map}
  *     \cgalParamDescription{filled with the region of the surface (section 5 of the paper) that each face of `out` has
- *                           its centre in, from 0 to `Summary::number_of_regions - 1`; not every region need have a
+ *                           its center in, from 0 to `Summary::number_of_regions - 1`; not every region need have a
  *                           face}
  *     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor`
  *                    as key type and a value type that `int` converts to}

@@ -511,7 +511,7 @@ TEST(Region_segmentation, fills_the_map_and_returns_the_tree)
     if(tree[r].kind != Region_kind::leaf)
       continue;
     ++leaves;
-    for(Face f : mesh.faces_around_target(mesh.halfedge(tree[r].centre)))
+    for(Face f : mesh.faces_around_target(mesh.halfedge(tree[r].center)))
     {
       EXPECT_EQ(map[f], r) << "a face at the centre";
     }
@@ -575,7 +575,7 @@ TEST(Region_segmentation, components_with_boundary_are_regions)
   std::size_t on_boundary = 0, roots = 0;
   for(const auto& region : tree)
   {
-    const bool is_on_boundary = mesh.is_border(region.centre, true);
+    const bool is_on_boundary = mesh.is_border(region.center, true);
     on_boundary += is_on_boundary;
     roots += region.kind == Region_kind::root;
     EXPECT_TRUE(!is_on_boundary || (region.parents.empty() && region.children.empty()));

@@ -205,7 +205,7 @@ inline std::vector<std::size_t> angle_histogram(const Mesh& mesh)
   return bins;
 }
 
-// 3 to 9 neighbours, and 10 or more, of the inner vertices
+// 3 to 9 neighbors, and 10 or more, of the inner vertices
 inline std::vector<std::size_t> valence_histogram(const Mesh& mesh)
 {
   std::vector<std::size_t> bins(8, 0);

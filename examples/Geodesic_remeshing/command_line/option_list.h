@@ -91,7 +91,7 @@ inline Option_group output_options()
   group.options.add_options()
     ("output-format", po::value<std::string>()->value_name(mesh_formats), "format of OUTPUT, whatever its name ends with")
     ("transfer", po::bool_switch(), "carry over what INPUT has beside its mesh: properties of vertices and faces from PLY to "
-     "PLY, colours and texture coordinates, their seams kept, from OBJ to OBJ")
+     "PLY, colors and texture coordinates, their seams kept, from OBJ to OBJ")
     ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
     ("html", po::value<std::string>()->value_name("FILE.html"), "write a page to look at: both meshes, histograms, tables")

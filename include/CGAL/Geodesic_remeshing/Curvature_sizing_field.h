@@ -48,6 +48,8 @@ template <class TriangleMesh>
 class Curvature_sizing_field
 {
 public:
+  /// the type of the mesh
+  using Triangle_mesh = TriangleMesh;
   /// vertex descriptor
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
@@ -79,7 +81,7 @@ public:
    *     \cgalParamDescription{the radius of the ball around a vertex over which the curvatures are averaged, in the
    *                           unit of the coordinates}
    *     \cgalParamType{`double`}
-   *     \cgalParamDefault{the faces around the vertex and its neighbours}
+   *     \cgalParamDefault{the faces around the vertex and its neighbors}
    *     \cgalParamExtra{Of use on noisy surfaces; the time grows with the number of faces in a ball.}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradation}

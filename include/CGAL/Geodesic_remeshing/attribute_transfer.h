@@ -28,7 +28,7 @@ namespace Geodesic_remeshing {
  *
  * \brief carries a property of the vertices of the input of a remeshing over to those of its output.
  *
- * Floating-point numbers, points, vectors, colours and arrays of numbers are interpolated over the input face in which
+ * Floating-point numbers, points, vectors, colors and arrays of numbers are interpolated over the input face in which
  * the vertex lies; of anything else, as labels and integers, a vertex gets the value of the corner that it is nearest
  * to, by its barycentric coordinates.
  *
@@ -73,7 +73,7 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
  *
  * \brief carries a property of the faces of the input of a remeshing over to those of its output.
  *
- * A face gets the value of the input face in which its centre lies, as found by walking there from one of its vertices
+ * A face gets the value of the input face in which its center lies, as found by walking there from one of its vertices
  * on the input surface. Where the borders between values are to be kept, remesh with them as `face_patch_map`.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`

@@ -43,7 +43,7 @@ struct Remeshing_validity
   bool is_on_surface = false;       ///< the distance is at most the tolerance
   std::size_t degenerate_faces = 0; ///< of the output: with three points on a line
   std::size_t flipped_faces =
-      0; ///< of the output: looking against the input surface at their centre and at all their corners
+      0; ///< of the output: looking against the input surface at their center and at all their corners
   std::size_t self_intersections = 0;   ///< pairs of faces of the output that intersect but in what they share
   bool input_intersects_itself = false; ///< then the output may
   /// the largest distance of a constrained edge or a boundary edge of the input from the edges of the output, divided

@@ -37,7 +37,7 @@ struct Region_node
   std::vector<std::size_t>
       parents; ///< the regions below: none for a root, two below the saddle where a front splits at a handle, else one
   std::vector<std::size_t> children; ///< the regions above: none for a leaf
-  VertexDescriptor centre; ///< the maximum of a leaf, the root vertex, or the saddle where the fronts above meet (or
+  VertexDescriptor center; ///< the maximum of a leaf, the root vertex, or the saddle where the fronts above meet (or
                            ///< the vertex next to it)
   double height; ///< the distance from the top to the bottom: a multiple of the curve distance, but for the root; 0 for
                  ///< a region that degenerates to its top
@@ -95,7 +95,7 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  * curve distances further on; the root region is the disc around the root. A maximum that rises less than half a curve
  * distance above the saddle beside it is noise and has no region. Every connected component has a tree of its own. One
  * with boundary is a single region, the root, as in `CGAL::geodesic_remeshing()`: its front starts on the straightest
- * long piece of the boundary, on which its centre lies.
+ * long piece of the boundary, on which its center lies.
  *
  * The boundaries of the regions run through faces; each face gets the region that covers most of it.
  * `Stage_results::regions` has the surface cut along the boundaries.

@@ -52,7 +52,7 @@ struct Sizing_limits
   double minimum_length = 0.; ///< no length below this one, in the unit of the coordinates
   double maximum_length = std::numeric_limits<double>::infinity(); ///< none above this one
   /// how much the length may grow over a way on the surface, divided by the length of the way: with a gradation g edges
-  /// at neighbouring vertices aim at lengths that differ by at most a factor (2 + g) / (2 - g), some 12 percent for
+  /// at neighboring vertices aim at lengths that differ by at most a factor (2 + g) / (2 - g), some 12 percent for
   /// 0.12. Positive; infinite for no limit.
   double gradation = .12;
 };

@@ -140,7 +140,7 @@ function showValences() {
   after.forEach((value, i) => {
     const middle = chart.left + step * (i + .5), name = `${i + 3}${i + 1 === after.length ? "+" : ""}`;
     const bar = (kind, percent, x) => svg.append(make("rect", {class: kind, x, y: y(percent), width: step * .34, rx: 2,
-      height: Math.max(0, y(0) - y(percent))}, make("title", {}, `${number(percent, 2)} % have ${name} neighbours`)));
+      height: Math.max(0, y(0) - y(percent))}, make("title", {}, `${number(percent, 2)} % have ${name} neighbors`)));
     bar("before", before[i], middle - step * .36);
     bar("after", value, middle + step * .02);
     svg.append(make("text", {x: middle, y: chart.height - 8, "text-anchor": "middle"}, name));

@@ -43,7 +43,7 @@ public:
 private:
   using Pair = Intersection_search::Pair;
 
-  static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
   void mend(const Pair& faces);
   std::vector<Index> corners_of(const Pair& faces) const;

@@ -149,7 +149,7 @@ inline bool part_intersections(Remeshed_surface& remeshed)
 {
   constexpr std::size_t many = 100;
   const std::array<double, 5> angles = {{30., 30., 30., 25., 20.}};
-  std::size_t before = std::numeric_limits<std::size_t>::max();
+  std::size_t before = (std::numeric_limits<std::size_t>::max)();
   Intersection_repair repair(remeshed);
   for(std::size_t i = 0; i < angles.size(); ++i)
   {
