@@ -3,6 +3,7 @@
 #include <CGAL/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -14,18 +15,18 @@ namespace gp = CGAL::Geodesic_remeshing::parameters;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cactus.off");
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cactus.off");
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.is_empty())
+  if(!CGAL::IO::read_polygon_mesh(file_name, mesh) || mesh.is_empty())
   {
-    std::cerr << "Cannot read " << filename << std::endl;
-    return 1;
+    std::cerr << "cannot read " << file_name << "\n";
+    return EXIT_FAILURE;
   }
 
   auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   const auto diameter = GR::geodesic_diameter(mesh, gp::vertex_distance_map(distance));
   std::cout << "from " << diameter.first << " (" << mesh.point(diameter.first) << ") to " << diameter.second << " ("
             << mesh.point(diameter.second) << "): " << diameter.distance << " after " << diameter.number_of_runs
-            << " runs" << std::endl;
-  return 0;
+            << " runs\n";
+  return EXIT_SUCCESS;
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -20,12 +21,12 @@ namespace gp = CGAL::Geodesic_remeshing::parameters;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.is_empty())
+  if(!CGAL::IO::read_polygon_mesh(file_name, mesh) || mesh.is_empty())
   {
-    std::cerr << "Cannot read " << filename << std::endl;
-    return 1;
+    std::cerr << "cannot read " << file_name << "\n";
+    return EXIT_FAILURE;
   }
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
 
@@ -36,7 +37,7 @@ int main(int argc, char* argv[])
   for(Vertex v : mesh.vertices())
     if(distance[v] > distance[farthest])
       farthest = v;
-  std::cout << "farthest from " << source << ": " << farthest << " at " << distance[farthest] << std::endl;
+  std::cout << "farthest from " << source << ": " << farthest << " at " << distance[farthest] << "\n";
 
   // from points in faces, and not farther than a tenth of that
   const double limit = distance[farthest] / 10.;
@@ -46,14 +47,14 @@ int main(int argc, char* argv[])
   std::size_t number_of_near_vertices = 0;
   for(Vertex v : mesh.vertices())
     number_of_near_vertices += distance[v] <= limit;
-  std::cout << number_of_near_vertices << " vertices within " << limit << " of two points" << std::endl;
+  std::cout << number_of_near_vertices << " vertices within " << limit << " of two points\n";
 
   // from a curve: the edges of a face
   const auto corners = mesh.vertices_around_face(mesh.halfedge(Mesh::Face_index(0)));
   std::vector<Vertex> curve(corners.begin(), corners.end());
   curve.push_back(curve.front()); // closed
   GR::geodesic_distances_from_curve(mesh, distance, curve);
-  std::cout << "distance from a triangle to " << farthest << ": " << distance[farthest] << std::endl;
+  std::cout << "distance from a triangle to " << farthest << ": " << distance[farthest] << "\n";
 
   // where the upper half of the surface is twice as hard to pass
   auto weight = mesh.add_property_map<Vertex, double>("v:weight", 1.).first;
@@ -62,6 +63,6 @@ int main(int argc, char* argv[])
     if(mesh.point(v).y() > (box.ymin() + box.ymax()) / 2.)
       weight[v] = 2.;
   GR::geodesic_distances(mesh, distance, source, gp::vertex_weight_map(weight));
-  std::cout << "with weights from " << source << " to " << farthest << ": " << distance[farthest] << std::endl;
-  return 0;
+  std::cout << "with weights from " << source << " to " << farthest << ": " << distance[farthest] << "\n";
+  return EXIT_SUCCESS;
 }

@@ -191,14 +191,14 @@ namespace CGAL {
  *   \cgalParamNBegin{do_project}
  *     \cgalParamDescription{whether the vertices lie on the input surface. With `false` they leave it so that the mesh
  *                           as a whole is as near to the surface as its number of vertices and angles of 30 degrees
- *                           allow, in both directions: its largest and its RMS distance are about a third of those of a
- *                           mesh with its vertices on the surface. Those on lines stay on their lines, corners stay
- *                           where they are.}
+ *                           allow, in both directions: its largest distance is about a third and its RMS distance
+ *                           half of those of a mesh with its vertices on the surface. Those on lines stay on their
+ * lines, corners stay where they are.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by
  *                     `Geodesic_remeshing::Curvature_sizing_field` as it is by default. The triangles are less even for
- *                     it: its smallest angles are 51 degrees in the mean.}
+ *                     it: their smallest angles are 48 to 54 degrees in the mean.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
  *     \cgalParamDescription{whether several threads share the work; the result is the same, bit by bit}
@@ -278,7 +278,7 @@ namespace CGAL {
  * property maps and those of `tmesh` are left as they were, provided that writing to a map does not throw.
  * `stage_results` then has what the stages before made.
  *
- * \cgalBigO{(n + m) log (n + m)} for an input of `n` and an output of `m` vertices.
+ * \cgalBigO{(n + m) \log (n + m)} for an input of `n` and an output of `m` vertices.
  *
  * @sa `CGAL::Geodesic_remeshing::Curvature_sizing_field`
  * @sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`

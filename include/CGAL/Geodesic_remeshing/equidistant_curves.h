@@ -139,7 +139,7 @@ halfedge_of_input(const TriangleMesh& tmesh, const Input_surface<TriangleMesh>& 
  * finite, or the values are not in ascending order
  * @return `curves` after the last curve
  *
- * \cgalBigO{n log m + k} for `n` vertices, `m` values and `k` points of curves.
+ * \cgalBigO{n \log m + k} for `n` vertices, `m` values and `k` points of curves.
  */
 template <class TriangleMesh, class VertexValueMap, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

@@ -216,7 +216,7 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  * @throws std::invalid_argument if the input is empty, has a face that is not a triangle or a coordinate that is not
  * finite
  *
- * \cgalBigO{(n + m) log (n + m)} for `n` and `m` faces, but for the pairs that intersect.
+ * \cgalBigO{(n + m) \log (n + m)} for `n` and `m` faces, but for the pairs that intersect.
  */
 template <class TriangleMesh, class OutputMesh, class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>

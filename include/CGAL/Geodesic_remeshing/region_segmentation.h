@@ -153,7 +153,7 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  * @throws std::invalid_argument if the mesh is empty, not triangulated or has a coordinate that is not finite, or if
  * the curve distance is not positive and finite
  *
- * \cgalBigO{n log n} for `n` vertices after long edges have been split.
+ * \cgalBigO{n \log n} for `n` vertices after long edges have been split.
  */
 template <class TriangleMesh, class FaceRegionMap, class NamedParameters = parameters::Default_named_parameters>
 Region_tree<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
