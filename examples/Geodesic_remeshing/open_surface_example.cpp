@@ -1,5 +1,4 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
@@ -9,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -22,9 +20,17 @@ namespace parameters = CGAL::Geodesic_remeshing::parameters;
 
 std::size_t number_of_boundary_loops(const Mesh& mesh)
 {
-  std::vector<Mesh::Halfedge_index> one_of_each;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(one_of_each));
-  return one_of_each.size();
+  std::vector<bool> seen(mesh.number_of_halfedges(), false);
+  std::size_t loops = 0;
+  for(const auto start : mesh.halfedges())
+  {
+    if(!mesh.is_border(start) || seen[start])
+      continue;
+    ++loops;
+    for(const auto h : CGAL::halfedges_around_face(start, mesh))
+      seen[h] = true;
+  }
+  return loops;
 }
 
 int main(int argc, char* argv[])
