@@ -1,5 +1,6 @@
 // Several threads: the same result as one thread, to the last bit.
 
+#include "improvement_support.h"
 #include "made_surfaces.h"
 
 #include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
@@ -16,6 +17,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -133,6 +135,103 @@ TEST_F(Parallel, orders_are_total)
   parallel_sort(Concurrency(), one.begin(), one.end(), std::less<>());
   parallel_sort(Concurrency(parallel), many.begin(), many.end(), std::less<>());
   EXPECT_EQ(one, many);
+}
+
+// Steps about a number and the one that is some way further on, in a range that is no power of two
+TEST_F(Parallel, each_step_is_made_once_and_within_its_block)
+{
+  constexpr std::uint32_t n = 10007;
+  std::vector<std::atomic<int>> made(2 * n);
+  for_each_in_blocks(Block_size{Concurrency(parallel), 5}, n, 2 * n, 2, [&](const std::uint32_t i, const Block block) {
+    const std::uint32_t v = i / 2, w = (v + i % 13 * (i % 7)) % n;
+    const std::uint32_t bits = block.bits_beyond(v, w) | block.bits_beyond(w, v);
+    if(bits == 0)
+      made[i] += block.begin <= v && v < block.end && block.begin <= w && w < block.end ? 1 : 1000;
+    return bits;
+  });
+  for(std::size_t i = 0; i < 2 * n; ++i)
+    ASSERT_EQ(made[i], 1) << i;
+}
+
+TEST_F(Parallel, steps_by_vertices_come_in_their_order)
+{
+  constexpr std::uint32_t n = 5003, steps = 40000;
+  const auto vertices_of = [](const std::uint32_t i) {
+    return std::array<std::uint32_t, 3>{{i % n, i / 9 % n, i % 11 == 0 ? static_cast<std::uint32_t>(-1) : i / 8}};
+  };
+  const auto lists = [&](const Concurrency concurrency) {
+    std::vector<std::vector<std::uint32_t>> result(n);
+    for_each_by_vertices(Block_size{concurrency, 6}, n, steps, vertices_of,
+                         [&](const std::uint32_t i, const Block block) {
+                           for(const std::uint32_t v : vertices_of(i))
+                             if(block.has(v))
+                               result[v].push_back(i);
+                         });
+    return result;
+  };
+  EXPECT_EQ(lists(Concurrency()), lists(Concurrency(parallel)));
+}
+
+namespace {
+
+// Improves a surface in an order in space, its vertices moved, in small blocks.
+void expect_same_improvement(const Mesh& surface, const Constraints& constraints = Constraints())
+{
+  namespace support = improvement_support;
+  support::Start one, many;
+  for(support::Start* start : {&one, &many})
+  {
+    support::spoil(surface, .2, *start, constraints);
+    auto parameters = support::parameters_for(surface, surface.number_of_vertices());
+    parameters.block_size = {start == &many ? Concurrency(parallel) : Concurrency(), 8};
+    improve(surface, start->mesh, start->place, start->pinned, start->constrained, constraints, parameters,
+            [](double) { return true; });
+  }
+  support::expect_valid(surface, one);
+  ASSERT_EQ(one.mesh.number_of_halfedges(), many.mesh.number_of_halfedges());
+  for(Vertex v : one.mesh.vertices())
+    ASSERT_EQ(one.mesh.point(v), many.mesh.point(v)) << v;
+  for(Halfedge h : one.mesh.halfedges())
+    ASSERT_EQ(one.mesh.target(h), many.mesh.target(h)) << h;
+}
+
+Mesh sorted(const Mesh& mesh)
+{
+  Mesh result;
+  copy_in_order(mesh, spatial_order(mesh, Concurrency()), result);
+  return result;
+}
+
+} // namespace
+
+TEST_F(Parallel, improvement_in_small_blocks)
+{
+  expect_same_improvement(sorted(improvement_support::torus(4)));
+}
+
+TEST_F(Parallel, improvement_of_an_open_surface_in_small_blocks)
+{
+  const Mesh plane = sorted(improvement_support::plane(70));
+  expect_same_improvement(plane, improvement_support::constraints_of(plane));
+}
+
+TEST_F(Parallel, nearest_vertices_in_small_blocks)
+{
+  namespace support = improvement_support;
+  const Mesh surface = sorted(support::torus(4));
+  support::Start start;
+  support::spoil(surface, .3, start);
+  const Surface_walker walker(surface);
+  const Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained);
+  const Nearest_vertices whole(remeshed), one(remeshed, Block_size{Concurrency(), 6}),
+      many(remeshed, Block_size{Concurrency(parallel), 6});
+  EXPECT_EQ(one.vertex, many.vertex);
+  EXPECT_EQ(one.squared_distance, many.squared_distance);
+  // Which of the ways to a vertex comes first may decide whether a nearer one is found beyond it.
+  std::size_t different = 0;
+  for(std::size_t x = 0; x < one.vertex.size(); ++x)
+    different += one.vertex[x] != whole.vertex[x];
+  EXPECT_LT(different, one.vertex.size() / 100);
 }
 
 TEST_F(Parallel, closed_surface)

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_NEAREST_VERTICES_H
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/spatial_order.h>
 
 #include <cstddef>
 #include <vector>
@@ -28,40 +29,78 @@ struct Nearest_vertices
   std::vector<Index> vertex; // `none` on isolated vertices and components without vertices
   std::vector<double> squared_distance;
 
-  explicit Nearest_vertices(const Remeshed_surface& remeshed);
+  explicit Nearest_vertices(const Remeshed_surface& remeshed)
+    : Nearest_vertices(
+          remeshed, block_size_for(remeshed.walker().triangulation().vertex_slots(), remeshed.block_size().concurrency))
+  {}
+
+  Nearest_vertices(const Remeshed_surface& remeshed, Block_size size); // of blocks of the input
+
+private:
+  struct Offer
+  {
+    Index to, vertex;
+  };
+
+  bool take(const Remeshed_surface& remeshed, const Offer& offer);
 };
 
-inline Nearest_vertices::Nearest_vertices(const Remeshed_surface& remeshed)
+inline bool Nearest_vertices::take(const Remeshed_surface& remeshed, const Offer& offer)
+{
+  const double distance =
+      CGAL::squared_distance(remeshed.walker().surface().point(Vertex(offer.to)), remeshed.spot(offer.vertex).point);
+  const bool is_nearer = distance < squared_distance[offer.to];
+  if(is_nearer)
+  {
+    squared_distance[offer.to] = distance;
+    vertex[offer.to] = offer.vertex;
+  }
+  return is_nearer;
+}
+
+// In each block of the input for itself until nothing changes any more; then what its border has to offer to other
+// blocks is handed over.
+inline Nearest_vertices::Nearest_vertices(const Remeshed_surface& remeshed, const Block_size size)
   : vertex(remeshed.walker().triangulation().vertex_slots(), Lean_triangulation::none),
     squared_distance(vertex.size(), infinity)
 {
   const Lean_triangulation& input = remeshed.walker().triangulation();
   const Lean_triangulation& table = remeshed.connectivity();
-  std::vector<Index> queue;
-  const auto offer = [&](const Index x, const Index v) {
-    const double distance =
-        CGAL::squared_distance(remeshed.walker().surface().point(Vertex(x)), remeshed.spot(v).point);
-    if(!(distance < squared_distance[x]))
-      return;
-    squared_distance[x] = distance;
-    vertex[x] = v;
-    queue.push_back(x);
-  };
+  std::vector<std::vector<Offer>> in((vertex.size() >> size.bits) + 1), out(in.size());
   for(Index v = 0; v < table.vertex_slots(); ++v)
   {
-    if(table.is_removed(v))
-      continue;
     const Index h = 4 * static_cast<Index>(remeshed.spot(v).place.face);
-    for(Index i = 0; i < 3; ++i)
-      offer(input.source(h + i), v);
+    for(Index i = h; i < h + 3 && !table.is_removed(v); ++i)
+      in[input.source(i) >> size.bits].push_back({input.source(i), v});
   }
-  for(std::size_t i = 0; i < queue.size(); ++i)
+  const auto spread = [&](const std::size_t block) {
+    std::vector<Index> queue;
+    for(const Offer& offer : in[block])
+      if(take(remeshed, offer))
+        queue.push_back(offer.to);
+    in[block].clear();
+    for(std::size_t i = 0; i < queue.size(); ++i)
+    {
+      const Index v = vertex[queue[i]];
+      input.for_each_neighbor(queue[i], [&](const Index y) {
+        if(y >> size.bits != block)
+          out[block].push_back({y, v});
+        else if(vertex[y] != v && take(remeshed, {y, v}))
+          queue.push_back(y);
+      });
+    }
+  };
+  for(bool goes_on = true; goes_on;)
   {
-    const Index v = vertex[queue[i]];
-    input.for_each_neighbor(queue[i], [&](const Index y) {
-      if(vertex[y] != v)
-        offer(y, v);
-    });
+    parallel_for(size.concurrency, in.size(), spread, 1);
+    goes_on = false;
+    for(std::vector<Offer>& offers : out)
+    {
+      goes_on = goes_on || !offers.empty();
+      for(const Offer& offer : offers)
+        in[offer.to >> size.bits].push_back(offer);
+      offers.clear();
+    }
   }
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
+#include <CGAL/Geodesic_remeshing/internal/Nested_blocks.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Valence_energy.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
@@ -50,10 +51,11 @@ public:
 
   Remeshed_surface(const Surface_walker& walker, const Constraints& constraints, const Mesh& mesh,
                    const Mesh::Property_map<Vertex, Place>& place, const Mesh::Property_map<Vertex, bool>& pinned,
-                   const Mesh::Property_map<Edge, bool>& constrained);
+                   const Mesh::Property_map<Edge, bool>& constrained, Block_size block_size = Block_size());
   Remeshed_surface(const Remeshed_surface&) = delete;
   Remeshed_surface& operator=(const Remeshed_surface&) = delete;
 
+  Block_size block_size() const { return m_block_size; } // for the steps that go over the whole of it
   const Surface_walker& walker() const { return m_walker; }
   const Metric& metric() const { return m_metric; } // of the input
   Lean_triangulation& connectivity() { return m_connectivity; }
@@ -150,6 +152,7 @@ public:
 private:
   bool is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const;
 
+  const Block_size m_block_size;
   const Surface_walker& m_walker;
   const Metric m_metric;
   const Line_walker m_lines;
@@ -167,10 +170,11 @@ private:
 inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Constraints& constraints,
                                           const Mesh& mesh, const Mesh::Property_map<Vertex, Place>& place,
                                           const Mesh::Property_map<Vertex, bool>& pinned,
-                                          const Mesh::Property_map<Edge, bool>& constrained)
-  : m_walker(walker), m_metric(walker.surface()), m_lines(walker, constraints), m_has_lines(!m_lines.empty()),
-    m_keeps_lines(constraints.are_kept), m_connectivity(mesh, [&](const Edge e) { return constrained[e]; }),
-    m_energy(m_connectivity, m_has_lines)
+                                          const Mesh::Property_map<Edge, bool>& constrained,
+                                          const Block_size block_size)
+  : m_block_size(block_size), m_walker(walker), m_metric(walker.surface()), m_lines(walker, constraints),
+    m_has_lines(!m_lines.empty()), m_keeps_lines(constraints.are_kept),
+    m_connectivity(mesh, [&](const Edge e) { return constrained[e]; }), m_energy(m_connectivity, m_has_lines)
 {
   m_spots.reserve(mesh.number_of_vertices());
   m_hold.reserve(mesh.number_of_vertices());

@@ -40,6 +40,15 @@ public:
   // Whether that is below the limit, which is itself below that of a turned triangle: it takes no division.
   bool is_below(double limit, const Spot& spot) const;
 
+  // 0 if all vertices are in the block; else in which bits they differ from that in the middle
+  Index bits_beyond(const Block block) const
+  {
+    const Spot* const first = &m_remeshed.spot(0);
+    Index bits = block.bits_beyond(m_vertex, block.begin);
+    for(const Spot* spot : m_around)
+      bits |= block.bits_beyond(static_cast<Index>(spot - first), m_vertex);
+    return bits;
+  }
   std::size_t size() const { return m_around.size(); } // of the neighbours
   const Spot& operator[](const std::size_t i) const { return *m_around[i]; }
 

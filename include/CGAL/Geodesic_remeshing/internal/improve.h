@@ -43,6 +43,7 @@ struct Improvement_parameters
   double edge_length;
   std::size_t number_of_iterations = 3;
   bool use_defect_moves = true;
+  Block_size block_size = Block_size();
 };
 
 // Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what
@@ -251,7 +252,7 @@ std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Proper
                                     Progress&& go_on)
 {
   const Surface_walker walker(surface, constraints);
-  Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained);
+  Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained, parameters.block_size);
   Conflicts conflicts;
   if(parameters.number_of_iterations == 0)
     Vertex_count(remeshed, parameters.edge_length).reach(parameters.number_of_vertices);

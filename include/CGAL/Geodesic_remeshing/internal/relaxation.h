@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_RELAXATION_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_RELAXATION_H
 
+#include <CGAL/Geodesic_remeshing/internal/Nested_blocks.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
 #include <algorithm>
@@ -65,12 +66,30 @@ inline void relax_vertex(Remeshed_surface& remeshed, const Lean_triangulation::I
   try_way(remeshed, v, ring, ring.way_to_center());
 }
 
+// Calls `step(v, ring)` for the vertices that may move: steps that ask for nothing but the ring, and change nothing but
+// where v is.
+template <class Step>
+void for_each_ring(const Remeshed_surface& remeshed, const Step& step)
+{
+  using Index = Lean_triangulation::Index;
+  const Lean_triangulation& table = remeshed.connectivity();
+  for_each_in_blocks(remeshed.block_size(), table.vertex_slots(), table.vertex_slots(), 1,
+                     [&](const Index v, const Block block) {
+                       if(table.is_removed(v) || remeshed.is_fixed(v))
+                         return Index(0);
+                       const Vertex_ring ring(remeshed, v);
+                       const Index differing_bits = ring.bits_beyond(block);
+                       if(differing_bits == 0)
+                         step(v, ring);
+                       return differing_bits;
+                     });
+}
+
 inline void relax(Remeshed_surface& remeshed)
 {
-  const Lean_triangulation& table = remeshed.connectivity();
-  for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v)
-    if(!table.is_removed(v) && !remeshed.is_fixed(v))
-      relax_vertex(remeshed, v);
+  for_each_ring(remeshed, [&](const Lean_triangulation::Index v, const Vertex_ring& ring) {
+    try_way(remeshed, v, ring, ring.way_to_center());
+  });
 }
 
 // Whether the flip lowers the energy of the valences and makes no angle smaller than what relaxation mends, and turns
@@ -88,18 +107,34 @@ inline bool is_flip_better(const Remeshed_surface& remeshed, const Lean_triangul
   return energy < 0 ? after <= (std::max)(before, mendable) : after < before;
 }
 
-// Makes all such flips.
+// Makes all such flips. Those within a block ask and change only what is at its vertices: of the faces around these
+// that are not the block's no other block changes anything but which halfedges are opposite to others.
 inline void flip_to_regular_valences(Remeshed_surface& remeshed)
 {
+  using Index = Lean_triangulation::Index;
+  constexpr Index faces_a_vertex = 2;
   Lean_triangulation& table = remeshed.connectivity();
-  for(Lean_triangulation::Index h = 0; h < 4 * table.face_slots(); ++h)
-  {
-    if((h & 3) == 3 || table.is_removed_face(table.face(h)))
-      continue;
-    const Lean_triangulation::Index o = table.opposite(h);
-    if(!table.is_constrained(h) && h < o && is_flip_better(remeshed, h))
-      table.flip(h);
-  }
+  const auto flip_edges = [&](const Index f, const Block block) {
+    // The corners of a face whose place is in another block may just be changing.
+    const auto bits_beyond = [&](const Index g) {
+      Index bits = block.bits_beyond(g / faces_a_vertex, f / faces_a_vertex);
+      for(Index h = 4 * g; h < 4 * g + 3 && bits == 0 && !table.is_removed_face(g); ++h)
+        bits = block.bits_beyond(table.source(h), f / faces_a_vertex);
+      return bits;
+    };
+    Index bits = bits_beyond(f);
+    for(Index h = 4 * f; h < 4 * f + 3 && bits == 0 && !table.is_removed_face(f); ++h)
+    {
+      const Index o = table.opposite(h);
+      if(table.is_constrained(h) || o < h)
+        continue;
+      bits = bits_beyond(Lean_triangulation::face(o));
+      if(bits == 0 && is_flip_better(remeshed, h))
+        table.flip(h);
+    }
+    return bits;
+  };
+  for_each_in_blocks(remeshed.block_size(), table.vertex_slots(), table.face_slots(), faces_a_vertex, flip_edges);
 }
 
 } // namespace internal

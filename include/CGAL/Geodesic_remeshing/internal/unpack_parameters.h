@@ -55,6 +55,7 @@ struct Options
     Improvement_parameters result{number_of_vertices, edge_length};
     result.number_of_iterations = number_of_iterations;
     result.use_defect_moves = use_defect_moves;
+    result.block_size = block_size_for(number_of_vertices, concurrency);
     return result;
   }
 };
