@@ -73,13 +73,11 @@ inline bool is_turned_over(const Remeshed_surface& remeshed, const Lean_triangul
 inline std::vector<Lean_triangulation::Index> find_turned_faces(const Remeshed_surface& remeshed)
 {
   const Lean_triangulation& table = remeshed.connectivity();
-  std::vector<Lean_triangulation::Index> result;
-  for(Lean_triangulation::Index f = 0; f < table.face_slots(); ++f)
-    if(!table.is_removed_face(f) &&
-       (remeshed.badness(table.source(4 * f), table.source(4 * f + 1), table.source(4 * f + 2)) >= turned_badness ||
-        is_turned_over(remeshed, f)))
-      result.push_back(f);
-  return result;
+  return parallel_list(remeshed.block_size().concurrency, table.face_slots(), [&](const Lean_triangulation::Index f) {
+    return !table.is_removed_face(f) &&
+           (remeshed.badness(table.source(4 * f), table.source(4 * f + 1), table.source(4 * f + 2)) >= turned_badness ||
+            is_turned_over(remeshed, f));
+  });
 }
 
 inline Conflicts find_conflicts(const Remeshed_surface& remeshed)

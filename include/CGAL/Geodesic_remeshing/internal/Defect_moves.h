@@ -42,7 +42,9 @@ public:
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_stamp(m_table.vertex_slots(), 0),
       m_changed(m_table.vertex_slots(), 0), m_valence(m_table.vertex_slots(), 0), m_refusal(m_table.vertex_slots()),
       m_tolerance(tolerance), m_effort(effort), m_barrier(effort > 1 ? 6 : 0)
-  {}
+  {
+    note_valences();
+  }
 
   // One search from each irregular vertex; returns by how much the energy has fallen. Where nothing has been flipped
   // since a search found nothing, none is made again.
@@ -74,6 +76,7 @@ private:
   bool settle();
   bool covers(const Point& p, Index v) const;
   void gather_zone();
+  void note_valences();
   void note_flips();
   void note_change(Index v);
   void note_visits(const Corners& corners);
@@ -124,9 +127,14 @@ inline int Defect_moves::sweep(const std::size_t depth)
       m_refusal[v] = {m_time, depth, begin, m_visited.size()};
     m_remeshed.forget();
   }
+  note_valences();
+  return total;
+}
+
+inline void Defect_moves::note_valences()
+{
   for(Index v = 0; v < m_table.vertex_slots(); ++v)
     m_valence[v] = m_table.valence(v);
-  return total;
 }
 
 // What was flipped since the last sweep shows in the valences, but for rare cycles of flips.

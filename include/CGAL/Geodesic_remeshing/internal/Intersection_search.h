@@ -303,9 +303,8 @@ inline std::vector<Intersection_search::Pair> Intersection_search::run(const std
 inline std::vector<Intersection_search::Pair> Intersection_search::run()
 {
   Share all;
-  for(Index f = 0; f < m_table.face_slots(); ++f)
-    if(!m_table.is_removed_face(f))
-      all.faces.push_back(f);
+  all.faces =
+      parallel_list(m_concurrency, m_table.face_slots(), [&](const Index f) { return !m_table.is_removed_face(f); });
   parallel_for(m_concurrency, all.faces.size(),
                [&](const std::size_t i) { m_boxes[all.faces[i]] = box_of(m_remeshed, all.faces[i]); });
   divide(all, 0, all.faces.size(), {{{-infinity, -infinity, -infinity}}, {{infinity, infinity, infinity}}});

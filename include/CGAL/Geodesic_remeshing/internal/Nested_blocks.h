@@ -43,12 +43,12 @@ struct Block
   Index bits_beyond(const Index v, const Index other) const { return has(v) ? 0 : v ^ other; }
 };
 
-// Calls `step(i, block)` for each i of [0, steps), of which as many as `steps_a_vertex` are near each vertex, in an order
-// that several threads can keep: first, at the same time, for all blocks, in each for the steps near its vertices. A
-// step that would read or write what is at vertices beyond `block` does nothing but tell in which bits the numbers of
-// its vertices differ; one that is done returns 0. What was not done is tried again when blocks are as large as it
-// needs: they are doubled until one block has everything. Nothing in that depends on threads, so one thread makes the
-// same steps, in an order with the same result; and with one block in that of i.
+// Calls `step(i, block)` for each i of [0, steps), of which as many as `steps_a_vertex` are near each vertex, in an
+// order that several threads can keep: first, at the same time, for all blocks, in each for the steps near its
+// vertices. A step that would read or write what is at vertices beyond `block` does nothing but tell in which bits the
+// numbers of its vertices differ; one that is done returns 0. What was not done is tried again when blocks are as large
+// as it needs: they are doubled until one block has everything. Nothing in that depends on threads, so one thread makes
+// the same steps, in an order with the same result; and with one block in that of i.
 template <class Step>
 void for_each_in_blocks(const Block_size size, const Block::Index vertices, const Block::Index steps,
                         const Block::Index steps_a_vertex, const Step& step)
@@ -94,8 +94,9 @@ void for_each_in_blocks(const Block_size size, const Block::Index vertices, cons
   }
 }
 
-// Calls `step(i, block)` for each i of [0, steps) and for each block with one of the vertices that `vertices_of(i)` lists,
-// at the same time for different blocks, in a block in the order of i. A vertex that does not exist is in no block.
+// Calls `step(i, block)` for each i of [0, steps) and for each block with one of the vertices that `vertices_of(i)`
+// lists, at the same time for different blocks, in a block in the order of i. A vertex that does not exist is in no
+// block.
 template <class Vertices_of, class Step>
 void for_each_by_vertices(const Block_size size, const Block::Index vertices, const Block::Index steps,
                           const Vertices_of& vertices_of, const Step& step)

@@ -72,9 +72,9 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
     Index f;
   };
   std::vector<Bad> bad;
-  for(Index f = 0; f < m_table.face_slots(); ++f)
-    if(!m_table.is_removed_face(f) && face_badness(f) > badness)
-      bad.push_back({face_badness(f), f});
+  const auto is_bad = [&](const Index f) { return !m_table.is_removed_face(f) && face_badness(f) > badness; };
+  for(const Index f : parallel_list(m_remeshed.block_size().concurrency, m_table.face_slots(), is_bad))
+    bad.push_back({face_badness(f), f});
   std::sort(bad.begin(), bad.end(),
             [](const Bad& x, const Bad& y) { return std::tie(y.badness, x.f) < std::tie(x.badness, y.f); });
   for(const Bad& x : bad)

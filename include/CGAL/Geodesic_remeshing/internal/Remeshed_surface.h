@@ -176,19 +176,19 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
     m_has_lines(!m_lines.empty()), m_keeps_lines(constraints.are_kept),
     m_connectivity(mesh, [&](const Edge e) { return constrained[e]; }), m_energy(m_connectivity, m_has_lines)
 {
-  m_spots.reserve(mesh.number_of_vertices());
-  m_hold.reserve(mesh.number_of_vertices());
-  for(const Vertex v : mesh.vertices())
-  {
+  m_spots.resize(mesh.number_of_vertices());
+  m_hold.resize(mesh.number_of_vertices());
+  parallel_for(block_size.concurrency, m_spots.size(), [&](const std::size_t i) {
+    const Vertex v(static_cast<Index>(i));
     // A pinned vertex is a tip or a corner, where the normal of one face says nothing.
     const Vector normal = pinned[v]       ? Vector(0., 0., 0.)
                           : is_on_line(v) ? m_walker.normal_on_line(place[v])
                                           : walker.normal(place[v].face);
-    m_spots.push_back({walker.point(place[v]), place[v], normal, m_metric.size(place[v])});
-    m_hold.push_back(!pinned[v]                                                                 ? Hold::none
-                     : is_on_line(v) || is_at_corner(m_walker.surface(), constraints, place[v]) ? Hold::corner
-                                                                                                : Hold::tip);
-  }
+    m_spots[i] = {walker.point(place[v]), place[v], normal, m_metric.size(place[v])};
+    m_hold[i] = !pinned[v]                                                                 ? Hold::none
+                : is_on_line(v) || is_at_corner(m_walker.surface(), constraints, place[v]) ? Hold::corner
+                                                                                           : Hold::tip;
+  });
   for(Index v = 0; v < m_hold.size(); ++v)
     if(is_fixed(v) && is_on_line(v))
       m_energy.add_corner(v, [&](const Index w) { return m_spots[w].point; });

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <algorithm>
@@ -36,7 +37,8 @@ class Surface_walker
 public:
   using Index = Lean_triangulation::Index;
 
-  explicit Surface_walker(const Mesh& surface, const Constraints& constraints = Constraints());
+  explicit Surface_walker(const Mesh& surface, const Constraints& constraints = Constraints(),
+                          Concurrency concurrency = Concurrency());
 
   // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends before the
   // lines, of which the boundary is one, and after `maximum_number_of_crossings_` (a way around a degenerate vertex
@@ -81,7 +83,8 @@ private:
   std::size_t m_maximum_number_of_crossings;
 };
 
-inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& constraints)
+inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& constraints,
+                                      const Concurrency concurrency)
   : m_surface(surface),
     m_triangulation(surface,
                     [&](const Edge e) { return !constraints.is_line.empty() && constraints.is_line[e.idx()]; }),
@@ -90,11 +93,9 @@ inline Surface_walker::Surface_walker(const Mesh& surface, const Constraints& co
     ,
     m_maximum_number_of_crossings(100 + 20 * static_cast<std::size_t>(std::sqrt(double(surface.number_of_faces()))))
 {
-  for(Index f = 0; f < m_triangulation.face_slots(); ++f)
-    lay_out(f);
+  parallel_for(concurrency, m_frames.size(), [&](const std::size_t f) { lay_out(static_cast<Index>(f)); });
   borrow_normals();
-  for(Index f = 0; f < m_triangulation.face_slots(); ++f)
-    find_gradients(f);
+  parallel_for(concurrency, m_frames.size(), [&](const std::size_t f) { find_gradients(static_cast<Index>(f)); });
 }
 
 inline void Surface_walker::lay_out(const Index f)

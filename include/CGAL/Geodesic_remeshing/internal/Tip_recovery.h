@@ -120,14 +120,21 @@ inline std::size_t Tip_recovery::run(const Nearest_vertices& nearest, const doub
 {
   const auto limit = [&](const Index x) { return CGAL::square(tolerance * m_remeshed.metric().size(Vertex(x))); };
   m_squared_distance = nearest.squared_distance;
-  for(Index x = 0; x < m_input.vertex_slots(); ++x)
-    if(nearest.vertex[x] != Lean_triangulation::none && m_squared_distance[x] > limit(x))
+  const Concurrency concurrency = m_remeshed.block_size().concurrency;
+  const auto is_far = [&](const std::size_t i) {
+    const Index x = static_cast<Index>(i);
+    return nearest.vertex[x] != Lean_triangulation::none && m_squared_distance[x] > limit(x);
+  };
+  parallel_for(concurrency, m_input.vertex_slots(), [&](const std::size_t i) {
+    const Index x = static_cast<Index>(i);
+    if(is_far(x))
       m_squared_distance[x] = (std::min)(m_squared_distance[x], distance_to_ring(x, nearest.vertex[x], limit(x)));
+  });
+  const std::vector<Index> tips =
+      parallel_list(concurrency, m_input.vertex_slots(), [&](const Index x) { return is_far(x) && is_tip(x); });
   std::size_t sent = 0;
-  for(Index x = 0; x < m_input.vertex_slots(); ++x)
+  for(const Index x : tips)
   {
-    if(nearest.vertex[x] == Lean_triangulation::none || !(m_squared_distance[x] > limit(x)) || !is_tip(x))
-      continue;
     // The nearest vertex need not be one of the nearest triangle.
     double distance = m_squared_distance[x];
     m_table.for_each_neighbor(nearest.vertex[x], [&](const Index w) {

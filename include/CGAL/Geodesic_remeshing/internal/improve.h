@@ -251,7 +251,7 @@ std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Proper
                                     const Constraints& constraints, const Improvement_parameters& parameters,
                                     Progress&& go_on)
 {
-  const Surface_walker walker(surface, constraints);
+  const Surface_walker walker(surface, constraints, parameters.block_size.concurrency);
   Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained, parameters.block_size);
   Conflicts conflicts;
   if(parameters.number_of_iterations == 0)

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -114,6 +115,25 @@ Value parallel_reduce(const Concurrency concurrency, const std::size_t n, Value 
   for(const Value& value : values)
     first = combine(std::move(first), value);
   return first;
+}
+
+// The i of [0, n) that are `wanted(i)`, in their order
+template <class Wanted>
+std::vector<std::uint32_t> parallel_list(const Concurrency concurrency, const std::size_t n, const Wanted& wanted)
+{
+  using List = std::vector<std::uint32_t>;
+  const auto list = [&](const std::size_t begin, const std::size_t end) {
+    List result;
+    for(std::size_t i = begin; i < end; ++i)
+      if(wanted(static_cast<std::uint32_t>(i)))
+        result.push_back(static_cast<std::uint32_t>(i));
+    return result;
+  };
+  const auto append = [](List all, const List& some) {
+    all.insert(all.end(), some.begin(), some.end());
+    return all;
+  };
+  return parallel_reduce(concurrency, n, List(), list, append);
 }
 
 // Calls both, which must not touch what the other writes.
