@@ -96,15 +96,15 @@ std::map<int, Topology> topologies(const Mesh& mesh, const Number_of_face& numbe
     if(mesh.is_border(h))
       continue;
     Topology& t = result[inner(h)];
-    t.euler_characteristic += corners.find(h) == h;
-    t.boundary_loops += is_rim(h) && rims.find(h) == h;
+    t.euler_characteristic += corners.find(h) == std::size_t(h);
+    t.boundary_loops += is_rim(h) && rims.find(h) == std::size_t(h);
     twice_edges[inner(h)] += is_rim(h) ? 2 : 1;
   }
   for(Face f : mesh.faces())
   {
     Topology& t = result[number(f)];
     ++t.euler_characteristic;
-    t.components += pieces.find(f) == f;
+    t.components += pieces.find(f) == std::size_t(f);
   }
   for(const auto& edges : twice_edges)
     result[edges.first].euler_characteristic -= edges.second / 2;
