@@ -127,7 +127,7 @@ inline void split_long_edges(const Mesh& surface, Working_surface& working, doub
     return a.first < b.first || (!(b.first < a.first) && b.second < a.second);
   };
   std::vector<Entry> long_edges;
-  const auto is_long = [&](Edge e) { return metric.length(e) > maximum_length && (!only_lines || working.is_line[e]); };
+  const auto is_long = [&](Edge e) { return (!only_lines || working.is_line[e]) && metric.length(e) > maximum_length; };
   for(Edge e : mesh.edges())
     if(is_long(e))
       long_edges.emplace_back(metric.length(e), e);
