@@ -91,18 +91,22 @@ std::string name_of(const testing::TestParamInfo<Case>& info)
   return name;
 }
 
-// What is wanted of the shape of a result. The smallest angle, 20 degrees, is wanted and reached everywhere.
+// What is wanted of the shape of a result; from 5,000 vertices on more, which an input that intersects itself does not
+// allow everywhere.
 struct Limits
 {
-  double percent_below_30 = .1, percent_irregular = 12., mean_smallest_angle = 0.;
+  double smallest_angle = 20., percent_below_30 = .1, percent_irregular = 12., mean_smallest_angle = 0.;
 };
 
-// Where the improvement does not get there yet: bull's sharp ridges, each an edge wide. This is the figure it does
-// reach, so that it does not get worse unseen.
 Limits limits_of(const Case& c)
 {
   Limits limits;
-  limits.mean_smallest_angle = c.vertices < 5000 ? 0. : c.model == "bull" && c.vertices == 5000 ? 53.3 : 54.;
+  if(c.vertices < 5000)
+    return limits;
+  limits.smallest_angle = c.model == "man" || (c.model == "camel" && c.vertices == 20000) ? 20. : 39.;
+  limits.percent_irregular = c.vertices < 20000 ? 8. : 5.;
+  // bull's sharp ridges are an edge wide. This is the figure it does reach, so that it does not get worse unseen.
+  limits.mean_smallest_angle = c.model == "bull" && c.vertices == 5000 ? 53.3 : 54.;
   return limits;
 }
 
@@ -169,8 +173,8 @@ TEST_P(Remeshed_model, has_topology_shape_and_place)
   EXPECT_LE(largest_distance(output, input), 1e-9 * diagonal_of(input));
 
   const support::Quality quality = support::quality_of(output);
-  EXPECT_GE(quality.smallest_angle, 20.);
   const Limits limits = limits_of(GetParam());
+  EXPECT_GE(quality.smallest_angle, limits.smallest_angle);
   EXPECT_LE(quality.percent_below_30, limits.percent_below_30);
   EXPECT_LE(percent_irregular(output, on_line), limits.percent_irregular);
   EXPECT_GE(quality.mean_smallest_angle, limits.mean_smallest_angle);

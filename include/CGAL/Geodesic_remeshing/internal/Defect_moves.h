@@ -24,6 +24,16 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
+// How long and how freely is searched.
+struct Search_effort
+{
+  std::size_t nodes = 40;           // looked at in one search, times its depth
+  std::size_t settlements = 4;      // tried in one search
+  int barrier = 0;                  // the most by which the energy may be above that of the start
+  double least_angle = 30.;         // around what is found
+  bool finds_intersections = false; // which what is found is refused for
+};
+
 // Removes irregular vertices. Most of them are pairs of a vertex of valence 5 and one of valence 7, the dislocations of
 // a triangular lattice: flips that leave the energy as it is let such a pair glide, and where it meets its opposite
 // both vanish. So from each irregular vertex sequences of flips that never raise the energy are searched, depth first
@@ -37,11 +47,11 @@ public:
   using Index = Lean_triangulation::Index;
 
   // `tolerance` is how far, in the unit of the relative sizes, a vertex may be left off the triangles that take its
-  // place. With an effort above 1 the searches are that much longer, and may raise the energy on their way.
-  Defect_moves(Remeshed_surface& remeshed, const double tolerance, const std::size_t effort = 1)
+  // place.
+  Defect_moves(Remeshed_surface& remeshed, const double tolerance, const Search_effort& effort)
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_stamp(m_table.vertex_slots(), 0),
       m_changed(m_table.vertex_slots(), 0), m_valence(m_table.vertex_slots(), 0), m_refusal(m_table.vertex_slots()),
-      m_tolerance(tolerance), m_effort(effort), m_barrier(effort > 1 ? 6 : 0)
+      m_tolerance(tolerance), m_effort(effort)
   {
     note_valences();
   }
@@ -96,8 +106,7 @@ private:
   std::size_t m_nodes_left = 0, m_settlements_left = 0;
   int m_found = 0;
   double m_tolerance;
-  std::size_t m_effort;
-  int m_barrier;               // the most by which the energy may be above that of the start: one step of an excess
+  Search_effort m_effort;
   std::vector<Point> m_places; // those of the zone before it was relaxed
 };
 
@@ -110,8 +119,8 @@ inline int Defect_moves::sweep(const std::size_t depth)
     if(m_table.is_removed(v) || !m_remeshed.energy().is_irregular(v) || is_refused(v, depth))
       continue;
     // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
-    m_nodes_left = 40 * m_effort * depth;
-    m_settlements_left = 4 * m_effort;
+    m_nodes_left = m_effort.nodes * depth;
+    m_settlements_left = m_effort.settlements;
     m_path.clear();
     const std::size_t begin = m_visited.size();
     ++m_time;
@@ -197,7 +206,7 @@ inline bool Defect_moves::search(const Corners& around, const std::size_t depth,
   Candidates candidates;
   note_visits(around);
   for(const Index v : around)
-    collect(v, m_barrier - energy, made, candidates);
+    collect(v, m_effort.barrier - energy, made, candidates);
   std::sort(candidates.list.begin(), candidates.list.begin() + candidates.size);
   for(std::size_t i = 0; i < candidates.size && m_nodes_left > 0; ++i)
   {
@@ -239,10 +248,11 @@ inline void Defect_moves::gather_zone()
 }
 
 // Relaxes the vertices of the flips freely (faces may be turned at first) and then these and their neighbours with
-// care. Angles of 30 degrees are good enough, since the rounds to come better them.
+// care. Angles of about 30 degrees are good enough, since the rounds to come better them; what is worse holds others
+// back: with 25 or 20 more vertices stay irregular than with 30.
 inline bool Defect_moves::settle()
 {
-  static const double good = badness_of_angle(30.);
+  const double good = badness_of_angle(m_effort.least_angle);
   if(m_settlements_left == 0)
     return false;
   --m_settlements_left;
@@ -270,7 +280,7 @@ inline bool Defect_moves::settle()
     if(!covers(m_places[i], m_zone[i]))
       return false;
   // Where limbs are as thick as edges are long, flips bring their sides together.
-  return m_effort == 1 || !has_intersections_near(m_remeshed, m_zone);
+  return !m_effort.finds_intersections || !has_intersections_near(m_remeshed, m_zone);
 }
 
 // Whether the triangles around v or those beside them are near p, where v was: if not, a tip was cut off, or a hollow

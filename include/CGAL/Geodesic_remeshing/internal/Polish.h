@@ -13,6 +13,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -32,7 +34,8 @@ class Polish
 public:
   using Index = Lean_triangulation::Index;
 
-  // If valences shall be kept regular, flips that make them less so are left to angles below 30 degrees.
+  // If valences shall be kept regular, flips that make them less so are left to angles below 30 degrees, and more
+  // vertices are moved instead.
   explicit Polish(Remeshed_surface& remeshed, const bool keep_regular = false)
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_keep_regular(keep_regular)
   {}
@@ -44,6 +47,7 @@ public:
   bool better_vertex(Index v);
 
 private:
+  bool better_around(Index f);
   bool better_by_flip(Index h);
   bool better_by_collapse(Index h);
   bool better_by_split(Index h);
@@ -90,6 +94,8 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
          (m_table.is_flip_legal(h) && m_remeshed.energy().of_flip(h) <= 0))
         better_by_flip(h);
     });
+    if(m_keep_regular && !is_mended())
+      better_around(x.f);
     if(do_collapse)
       try_each([&](const Index h) {
         if(!better_by_collapse(h) && m_table.opposite(h) != Lean_triangulation::none)
@@ -151,6 +157,23 @@ bool Polish::keep_if_better(const Vertices& vertices, const double before)
     m_remeshed.undo_to({0, 0});
   m_remeshed.forget();
   return is_better;
+}
+
+// Where its own vertices cannot better a triangle, their neighbours may have to make room first.
+inline bool Polish::better_around(const Index f)
+{
+  boost::container::small_vector<Index, 16> zone;
+  for(Index h = 4 * f; h < 4 * f + 3; ++h)
+    zone.push_back(m_table.source(h));
+  for(Index h = 4 * f; h < 4 * f + 3; ++h)
+    m_table.for_each_neighbor(m_table.source(h), [&](const Index v) {
+      if(std::find(zone.begin(), zone.end(), v) == zone.end())
+        zone.push_back(v);
+    });
+  std::reverse(zone.begin(), zone.end());
+  const double before = badness_around(zone);
+  m_remeshed.record();
+  return keep_if_better(zone, before);
 }
 
 inline bool Polish::better_by_flip(const Index h)
