@@ -73,6 +73,7 @@ inline Nearest_vertices::Nearest_vertices(const Remeshed_surface& remeshed, cons
     for(Index i = h; i < h + 3 && !table.is_removed(v); ++i)
       in[input.source(i) >> size.bits].push_back({input.source(i), v});
   }
+  std::vector<Index> offered(vertex.size(), Lean_triangulation::none); // to the neighbors last
   const auto spread = [&](const std::size_t block) {
     std::vector<Index> queue;
     for(const Offer& offer : in[block])
@@ -82,6 +83,9 @@ inline Nearest_vertices::Nearest_vertices(const Remeshed_surface& remeshed, cons
     for(std::size_t i = 0; i < queue.size(); ++i)
     {
       const Index v = vertex[queue[i]];
+      if(offered[queue[i]] == v)
+        continue;
+      offered[queue[i]] = v;
       input.for_each_neighbor(queue[i], [&](const Index y) {
         if(y >> size.bits != block)
           out[block].push_back({y, v});

@@ -13,6 +13,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
@@ -68,7 +70,10 @@ private:
 inline Vertex_ring::Vertex_ring(const Remeshed_surface& remeshed, const Index v) : m_remeshed(remeshed), m_vertex(v)
 {
   const Lean_triangulation& table = remeshed.connectivity();
-  table.for_each_neighbor(v, [&](const Index w) { m_around.push_back(&remeshed.spot(w)); });
+  m_around.resize(table.valence(v), boost::container::default_init);
+  const Spot** next = m_around.data();
+  table.for_each_neighbor(v, [&](const Index w) { *next++ = &remeshed.spot(w); });
+  CGAL_assertion(next == m_around.data() + m_around.size());
   m_is_closed = !table.is_border(v);
 }
 
