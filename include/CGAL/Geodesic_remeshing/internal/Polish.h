@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/has_intersections_anywhere.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -43,18 +44,35 @@ public:
   // Treats every triangle worse than the given badness once, the worst first. Returns the number of them.
   std::size_t run(double badness, bool do_collapse);
 
+  // Moves vertices around such triangles only, and not where triangles come to intersect, of whatever sheet.
+  void run_apart(double badness);
+
   // Moves a vertex so that the worst triangle around it gets better.
   bool better_vertex(Index v);
 
 private:
-  bool better_around(Index f);
+  using Zone = boost::container::small_vector<Index, 16>;
+  struct Bad
+  {
+    double badness;
+    Index f;
+  };
+
+  std::vector<Bad> worse_than(double badness) const;
+  template <class Do_intersect>
+  bool better_around(Index f, const Do_intersect& do_intersect);
   bool better_by_flip(Index h);
   bool better_by_collapse(Index h);
   bool better_by_split(Index h);
   template <class Vertices>
   double badness_around(const Vertices& vertices) const;
   template <class Vertices>
-  bool keep_if_better(const Vertices& vertices, double before);
+  bool keep_if_better(const Vertices& vertices, const double before)
+  {
+    return keep_if_better(vertices, before, [&](const Vertices& v) { return has_intersections_near(m_remeshed, v); });
+  }
+  template <class Vertices, class Do_intersect>
+  bool keep_if_better(const Vertices& vertices, double before, const Do_intersect& do_intersect);
   double face_badness(Index f) const;
 
   Remeshed_surface& m_remeshed;
@@ -67,20 +85,32 @@ inline double Polish::face_badness(const Index f) const
   return m_remeshed.badness(m_table.source(4 * f), m_table.source(4 * f + 1), m_table.source(4 * f + 2));
 }
 
-inline std::size_t Polish::run(const double badness, const bool do_collapse)
+inline std::vector<Polish::Bad> Polish::worse_than(const double badness) const
 {
-  static const double poor = badness_of_angle(30.);
-  struct Bad
-  {
-    double badness;
-    Index f;
-  };
   std::vector<Bad> bad;
   const auto is_bad = [&](const Index f) { return !m_table.is_removed_face(f) && face_badness(f) > badness; };
   for(const Index f : parallel_list(m_remeshed.block_size().concurrency, m_table.face_slots(), is_bad))
     bad.push_back({face_badness(f), f});
   std::sort(bad.begin(), bad.end(),
             [](const Bad& x, const Bad& y) { return std::tie(y.badness, x.f) < std::tie(x.badness, y.f); });
+  return bad;
+}
+
+inline void Polish::run_apart(const double badness)
+{
+  constexpr std::size_t most = 100; // since each looks at all faces
+  const std::vector<Bad> bad = worse_than(badness);
+  const auto do_intersect = [&](const Zone& zone) { return has_intersections_anywhere(m_remeshed, zone); };
+  for(std::size_t i = 0; i < (std::min)(bad.size(), most); ++i)
+    for(int round = 0; round < 3 && face_badness(bad[i].f) > badness; ++round)
+      if(!better_around(bad[i].f, do_intersect))
+        break;
+}
+
+inline std::size_t Polish::run(const double badness, const bool do_collapse)
+{
+  static const double poor = badness_of_angle(30.);
+  const std::vector<Bad> bad = worse_than(badness);
   for(const Bad& x : bad)
   {
     const auto is_mended = [&] { return m_table.is_removed_face(x.f) || face_badness(x.f) <= badness; };
@@ -95,7 +125,7 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
         better_by_flip(h);
     });
     if(m_keep_regular && !is_mended())
-      better_around(x.f);
+      better_around(x.f, [&](const Zone& zone) { return has_intersections_near(m_remeshed, zone); });
     if(do_collapse)
       try_each([&](const Index h) {
         if(!better_by_collapse(h) && m_table.opposite(h) != Lean_triangulation::none)
@@ -146,13 +176,13 @@ double Polish::badness_around(const Vertices& vertices) const
 }
 
 // Ends a trial that began with `record()`.
-template <class Vertices>
-bool Polish::keep_if_better(const Vertices& vertices, const double before)
+template <class Vertices, class Do_intersect>
+bool Polish::keep_if_better(const Vertices& vertices, const double before, const Do_intersect& do_intersect)
 {
   for(int round = 0; round < 2; ++round)
     for(const Index v : vertices)
       better_vertex(v);
-  const bool is_better = badness_around(vertices) < before && !has_intersections_near(m_remeshed, vertices);
+  const bool is_better = badness_around(vertices) < before && !do_intersect(vertices);
   if(!is_better)
     m_remeshed.undo_to({0, 0});
   m_remeshed.forget();
@@ -160,9 +190,10 @@ bool Polish::keep_if_better(const Vertices& vertices, const double before)
 }
 
 // Where its own vertices cannot better a triangle, their neighbours may have to make room first.
-inline bool Polish::better_around(const Index f)
+template <class Do_intersect>
+bool Polish::better_around(const Index f, const Do_intersect& do_intersect)
 {
-  boost::container::small_vector<Index, 16> zone;
+  Zone zone;
   for(Index h = 4 * f; h < 4 * f + 3; ++h)
     zone.push_back(m_table.source(h));
   for(Index h = 4 * f; h < 4 * f + 3; ++h)
@@ -173,7 +204,7 @@ inline bool Polish::better_around(const Index f)
   std::reverse(zone.begin(), zone.end());
   const double before = badness_around(zone);
   m_remeshed.record();
-  return keep_if_better(zone, before);
+  return keep_if_better(zone, before, do_intersect);
 }
 
 inline bool Polish::better_by_flip(const Index h)

@@ -166,20 +166,24 @@ inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters
   return true;
 }
 
-// Again and again, because what parts one pair may bring another together; then at the cost of tips, last of angles. A
-// surface that intersects itself leaves as many pairs as before, whatever is done. Returns whether none is known to be
-// left.
+// Again and again, because what parts one pair may bring another together; then at the cost of tips, last of angles.
+// What that cost is mended where it brings no pair back. A surface that intersects itself leaves as many pairs as
+// before, whatever is done. Returns whether none is known to be left.
 inline bool part_intersections(Remeshed_surface& remeshed)
 {
   constexpr std::size_t many = 100;
-  const std::array<double, 5> angles = {{30., 30., 30., 25., 20.}};
+  const std::array<double, 5> angles = {{36., 30., 30., 25., 20.}};
   std::size_t before = (std::numeric_limits<std::size_t>::max)();
   Intersection_repair repair(remeshed);
   for(std::size_t i = 0; i < angles.size(); ++i)
   {
     const std::size_t number = repair.run(badness_of_angle(angles[i]), i > 0);
     if(number == 0)
+    {
+      if(i > 0)
+        Polish(remeshed).run_apart(badness_of_angle(40.));
       return true;
+    }
     if(number > many && number > before - before / 20)
       return false;
     before = number;
