@@ -985,12 +985,13 @@ TEST_P(Model_with_lines, keeps_them)
 
 INSTANTIATE_TEST_SUITE_P(
     Data, Model_with_lines,
-    testing::Values(Model_case{"fandisk", 3238, 60., 52., .5, 1.}, Model_case{"anchor_dense", 3000, 60., 52., 1.5, 2.},
-                    Model_case{"joint_refined", 3000, 60., 52., .5, 1.}, Model_case{"rotor", 5000, 60., 52., .8, 1.},
-                    Model_case{"mannequin-devil", 5000, 0., 52., .14, 3.},
-                    Model_case{"lion-head", 5000, 0., 52., .05, 4.}, Model_case{"nefertiti", 3000, 0., 52., .04, 1.},
-                    Model_case{"mesh_with_border", 1000, 0., 52., .1, 1.},
-                    Model_case{"cylinder", 1000, 0., 52., .2, 1.}, Model_case{"patch-01", 2000, 0., 52., .2, 3.}),
+    testing::Values(Model_case{"fandisk", 3238, 60., 53.5, .25, 1.},
+                    Model_case{"anchor_dense", 3000, 60., 53., .45, 2.},
+                    Model_case{"joint_refined", 3000, 60., 55.7, .5, 1.}, Model_case{"rotor", 5000, 60., 54.5, .15, 1.},
+                    Model_case{"mannequin-devil", 5000, 0., 55., .08, 3.},
+                    Model_case{"lion-head", 5000, 0., 55., .02, 4.}, Model_case{"nefertiti", 3000, 0., 54.5, .015, 1.},
+                    Model_case{"mesh_with_border", 1000, 0., 57., .03, 1.},
+                    Model_case{"cylinder", 1000, 0., 57.5, .08, 1.}, Model_case{"patch-01", 2000, 0., 54., .03, 3.}),
     [](const testing::TestParamInfo<Model_case>& info) {
       std::string name = info.param.model;
       std::replace(name.begin(), name.end(), '-', '_');

@@ -25,15 +25,16 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // Vertices at even distances are as near to a smooth line as any; along one with bends or noise they are nearer to it
-// where it turns. So each slides, as far as the angles of its triangles allow, to where the edges on both sides leave
-// the line least.
+// where it turns. So each slides to where the edges on both sides leave the line least: to a vertex of the line, where
+// an edge of that ends, or in between; and its neighbours make room, so that the angles of the triangles allow it.
 class Line_fit
 {
 public:
   using Index = Lean_triangulation::Index;
 
-  Line_fit(Remeshed_surface& remeshed, const double edge_length)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_tolerance(.01 * edge_length)
+  // Triangles may become as bad as this, or stay as they are.
+  Line_fit(Remeshed_surface& remeshed, const double edge_length, const double badness)
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_tolerance(.01 * edge_length), m_badness(badness)
   {}
 
   void run()
@@ -49,14 +50,7 @@ public:
     {
       bool has_moved = false;
       for(const Index v : sliding)
-        if(slide(v))
-        {
-          has_moved = true;
-          m_table.for_each_neighbor(v, [&](const Index w) {
-            if(m_remeshed.is_free(w))
-              relax_vertex(m_remeshed, w);
-          });
-        }
+        has_moved = slide(v) || slide_with_neighbor(v) || has_moved;
       if(!has_moved)
         break;
     }
@@ -87,40 +81,131 @@ private:
     return CGAL::square(deviation(s, s.low, at)) + CGAL::square(deviation(s, at, s.high));
   }
 
-  // To the best of some places that leaves angles of 36 degrees, or as they are. Nothing moves for a gain of less than
-  // a sixth.
+  // Towards the best of some places, as far as the triangles allow. Nothing moves for a gain of less than a twentieth.
   bool slide(const Index v)
   {
-    constexpr std::array<double, 8> steps = {{-.2, .2, -.1, .1, -.05, .05, -.02, .02}};
-    constexpr double least_part = .3;
+    constexpr double least_gain = .8; // of fourth powers
     const Stretch s = stretch_beside(v);
     if(s.piece == Line_walker::none)
       return false;
-    const double length = s.high - s.low;
-    double least = deviation_beside(s, s.at);
-    if(!(least > std::pow(m_tolerance * m_remeshed.spot(v).size, 4.)))
+    const double before = deviation_beside(s, s.at);
+    if(!(before > std::pow(m_tolerance * m_remeshed.spot(v).size, 4.)))
       return false;
-    least *= .5;
-    const Vertex_ring ring(m_remeshed, v);
-    const double limit = (std::max)(tolerated_badness(), ring.badness());
-    bool has_moved = false;
-    for(const double step : steps)
-    {
-      const double at = s.at + step * length;
-      if(!(at > s.low + least_part * length && at < s.high - least_part * length))
-        continue;
+    double least = least_gain * before, best = s.at;
+    for_each_candidate(s, [&](const double at) {
       const double d = deviation_beside(s, at);
-      const Remeshed_surface::Spot spot = m_remeshed.spot_on_line(m_remeshed.lines().place_at(s.piece, at));
-      if(!(d < least) || ring.badness(spot, limit) > limit)
-        continue;
-      least = d;
-      m_remeshed.put(v, spot);
-      has_moved = true;
+      if(d < least)
+      {
+        least = d;
+        best = at;
+      }
+    });
+    for(double part = 1.; part > .2 && best != s.at; part *= .5)
+    {
+      const double at = s.at + part * (best - s.at);
+      if((part > .9 || deviation_beside(s, at) < least_gain * before) && try_moves({{{v, at}, {v, at}}}, s.piece))
+        return true;
     }
-    return has_moved;
+    return false;
   }
 
-  Stretch stretch_beside(const Index v) const
+  // The vertices of the line, and places between; none near to the neighbours
+  template <class Visit>
+  void for_each_candidate(const Stretch& s, const Visit& visit) const
+  {
+    constexpr double least_part = .3;
+    constexpr int places = 16;
+    const double low = s.low + least_part * (s.high - s.low), high = s.high - least_part * (s.high - s.low);
+    m_remeshed.lines().for_each_position(s.piece, low, high, visit);
+    for(int i = 0; i <= places; ++i)
+      visit(low + (high - low) * i / places);
+  }
+
+  // Two vertices near to each other on both sides of a bend: one of them to where the line bends, and the other one
+  // makes room.
+  bool slide_with_neighbor(const Index v)
+  {
+    constexpr double least_gain = .8;
+    const Stretch s = stretch_beside(v);
+    if(s.piece == Line_walker::none)
+      return false;
+    for(const Index w : neighbors_on_line(v))
+    {
+      const Stretch t = m_remeshed.is_fixed(w) ? Stretch{Line_walker::none, 0., 0., 0.} : stretch_beside(w);
+      if(t.piece == Line_walker::none)
+        continue;
+      const Point& p = m_remeshed.spot(w).point;
+      const bool is_low = squared_distance(p, point_at(s, s.low)) < squared_distance(p, point_at(s, s.high));
+      const double near = is_low ? s.low : s.high, beyond = is_low ? s.high : s.low;
+      const double far = is_low ? s.low - (t.at - t.low) : s.high + (t.high - t.at);
+      const double bend = farthest_vertex(s, (std::min)(near, s.at), (std::max)(near, s.at)),
+                   middle = .5 * (far + bend);
+      const double before = deviation_along(s, {{far, near, s.at, beyond}});
+      if(before > std::pow(m_tolerance * m_remeshed.spot(v).size, 4.) &&
+         deviation_along(s, {{far, middle, bend, beyond}}) < least_gain * before &&
+         try_moves({{{v, bend}, {w, middle}}}, s.piece))
+        return true;
+    }
+    return false;
+  }
+
+  double deviation_along(const Stretch& s, const std::array<double, 4>& at) const
+  {
+    double sum = 0.;
+    for(std::size_t i = 0; i < 3; ++i)
+      sum += CGAL::square(deviation(s, (std::min)(at[i], at[i + 1]), (std::max)(at[i], at[i + 1])));
+    return sum;
+  }
+
+  // The position of the vertex of the line that is farthest from the chord; `high` if there is none.
+  double farthest_vertex(const Stretch& s, const double low, const double high) const
+  {
+    const Point from = point_at(s, low), to = point_at(s, high);
+    double largest = 0., result = high;
+    m_remeshed.lines().for_each_position(s.piece, low, high, [&](const double at) {
+      const double d = squared_distance_to_segment(point_at(s, at), from, to);
+      if(d > largest)
+      {
+        largest = d;
+        result = at;
+      }
+    });
+    return result;
+  }
+
+  struct Move
+  {
+    Index vertex;
+    double at;
+  };
+
+  bool try_moves(const std::array<Move, 2>& moves, const Index piece)
+  {
+    m_around.clear();
+    for(const Move& move : moves)
+    {
+      m_around.push_back(move.vertex);
+      m_table.for_each_neighbor(move.vertex, [&](const Index w) { m_around.push_back(w); });
+    }
+    double limit = m_badness;
+    for(const Index w : m_around)
+      limit = (std::max)(limit, Vertex_ring(m_remeshed, w).badness());
+    m_remeshed.record();
+    for(const Move& move : moves)
+      m_remeshed.put(move.vertex, m_remeshed.spot_on_line(m_remeshed.lines().place_at(piece, move.at)));
+    for(int round = 0; round < 2; ++round)
+      for(const Index w : m_around)
+        if(m_remeshed.is_free(w))
+          relax_vertex(m_remeshed, w);
+    const bool is_good = std::all_of(m_around.begin(), m_around.end(),
+                                     [&](const Index w) { return Vertex_ring(m_remeshed, w).badness() <= limit; });
+    if(!is_good)
+      m_remeshed.undo_to({0, 0});
+    m_remeshed.forget();
+    return is_good;
+  }
+
+  std::array<Index, 2> neighbors_on_line(const Index v) const
   {
     std::array<Index, 2> beside = {{v, v}};
     std::size_t number = 0;
@@ -129,7 +214,13 @@ private:
         beside[number] = w;
       ++number;
     });
-    if(number != 2)
+    return number == 2 ? beside : std::array<Index, 2>{{v, v}};
+  }
+
+  Stretch stretch_beside(const Index v) const
+  {
+    const std::array<Index, 2> beside = neighbors_on_line(v);
+    if(beside[0] == beside[1])
       return {Line_walker::none, 0., 0., 0.};
     const auto place = [&](const Index w) -> const Place& { return m_remeshed.spot(w).place; };
     Stretch s = m_remeshed.lines().stretch(place(v), place(beside[0]), place(beside[1]));
@@ -141,6 +232,8 @@ private:
   Remeshed_surface& m_remeshed;
   const Lean_triangulation& m_table;
   const double m_tolerance; // nearer than this to a line is near enough
+  const double m_badness;
+  std::vector<Index> m_around;
 };
 
 } // namespace internal

@@ -56,9 +56,17 @@ public:
   };
   Stretch stretch(const Place& place, const Place& one, const Place& other) const;
   Place place_at(Index near, double at) const;
-  // The vertices of the line strictly between two such positions
+  // The vertices of the line strictly between two such positions, or the positions of these
   template <class Visit>
-  void for_each_point(Index near, double low, double high, const Visit& visit) const;
+  void for_each_point(const Index near, const double low, const double high, const Visit& visit) const
+  {
+    for_each_vertex(near, low, high, [&](const Index x, double) { visit(point(x)); });
+  }
+  template <class Visit>
+  void for_each_position(const Index near, const double low, const double high, const Visit& visit) const
+  {
+    for_each_vertex(near, low, high, [&](Index, const double at) { visit(at); });
+  }
 
 private:
   // An edge of a line, from `begin` on (in lengths along the line). A halfedge of it, which may run the other way.
@@ -89,6 +97,8 @@ private:
   double position_on(const Place& place, const Line& line) const;
   double way_along(Index piece, const Vector& displacement) const;
   Index shortest_line(Index x, Index y) const;
+  template <class Visit>
+  void for_each_vertex(Index near, double low, double high, const Visit& visit) const;
 
   const Surface_walker& m_walker;
   const Lean_triangulation& m_table;
@@ -329,13 +339,13 @@ inline Line_walker::Stretch Line_walker::stretch(const Place& place, const Place
 }
 
 template <class Visit>
-void Line_walker::for_each_point(const Index near, const double low, const double high, const Visit& visit) const
+void Line_walker::for_each_vertex(const Index near, const double low, const double high, const Visit& visit) const
 {
   const Line& line = m_lines[m_pieces[near].line];
   const auto visit_if_between = [&](const Index i, const double turn) {
     const double at = m_pieces[i].begin + turn;
     if(at > low && at < high)
-      visit(point(start(m_pieces[i])));
+      visit(start(m_pieces[i]), at);
     return at;
   };
   double turn = 0.;

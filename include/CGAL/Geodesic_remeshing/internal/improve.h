@@ -261,8 +261,10 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   if(!recover_tips_and_remove_defects(remeshed, parameters,
                                       [&](const double progress) { return go_on(share + (.9 - share) * progress); }))
     return {};
-  Line_fit(remeshed, parameters.edge_length).run();
+  Line_fit(remeshed, parameters.edge_length, tolerated_badness()).run();
   polish(remeshed, parameters.number_of_vertices);
+  // The polish moves what is on lines as well.
+  Line_fit(remeshed, parameters.edge_length, badness_of_angle(40.)).run();
   Conflicts conflicts;
   if(!part_intersections(remeshed) || !find_turned_faces(remeshed).empty())
     conflicts = Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
