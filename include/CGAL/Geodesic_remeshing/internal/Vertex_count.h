@@ -11,12 +11,12 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_COUNT_H
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_changes.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -34,8 +34,7 @@ public:
 
   // No change leaves an angle smaller than `least_angle`, unless nothing else is left: then it may be 10.
   Vertex_count(Remeshed_surface& remeshed, const double edge_length, const double least_angle = 10.)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_squared_edge_length(edge_length * edge_length),
-      m_least_angle(least_angle)
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_edge_length(edge_length), m_least_angle(least_angle)
   {}
 
   // Returns whether the number was reached.
@@ -44,32 +43,21 @@ public:
   bool reach_at_any_cost(std::size_t number_of_vertices);
 
 private:
-  // The collapse of h, or, where `other` is given, the split of the source of both between them, or that of h itself.
-  struct Change
-  {
-    double cost;
-    Index h, other;
-    bool operator<(const Change& c) const { return std::tie(cost, h, other) < std::tie(c.cost, c.h, c.other); }
-  };
+  using Change = Vertex_change;
 
-  void find_collapses();
-  void find_splits();
   void keep_cheapest(std::size_t number);
   std::size_t apply(std::size_t number);
   bool collapse(Index h);
   bool split(Index h, Index other);
   bool split_edge(Index h);
-  void find_edge_splits();
   double worst_around(const std::array<Index, 4>& vertices) const;
   bool settle(const std::array<Index, 4>& changed, double before, bool is_line = false);
-  double size_cost(Index v, Index w) const;
-  double cost_of_lines(Index h) const;
   std::array<Index, 4> corners(Index h) const;
   bool is_touched(const Change& change) const;
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
-  double m_squared_edge_length;
+  double m_edge_length;
   double m_least_angle;                // that a change may leave
   double m_least_angle_on_lines = 30.; // that a collapse along a line may leave; lowered only if nothing else is left
   std::size_t m_more = 0;              // changes looked at
@@ -83,15 +71,10 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
   {
     const std::size_t n = m_table.number_of_vertices();
     const std::size_t number = n < number_of_vertices ? number_of_vertices - n : n - number_of_vertices;
-    m_changes.clear();
     if(n < number_of_vertices)
-    {
       m_remeshed.reserve_free(static_cast<Index>(number));
-      find_splits();
-      find_edge_splits();
-    }
-    else
-      find_collapses();
+    const Vertex_changes changes(m_remeshed, m_edge_length);
+    m_changes = n < number_of_vertices ? changes.splits() : changes.collapses();
     m_touched.assign(m_table.vertex_slots(), false);
     keep_cheapest(number);
     if(apply(number) > 0)
@@ -119,85 +102,11 @@ inline bool Vertex_count::reach_at_any_cost(const std::size_t number_of_vertices
   return false;
 }
 
-// The length of an edge weighs as much as one step of the energy (2) when it is off by the whole edge length.
-inline double Vertex_count::size_cost(const Index v, const Index w) const
-{
-  const Remeshed_surface::Spot &a = m_remeshed.spot(v), &b = m_remeshed.spot(w);
-  return 2. * squared_distance(a.point, b.point) / (m_squared_edge_length * CGAL::square(.5 * (a.size + b.size)));
-}
-
-// Of an edge between lines: what is added to the cost of its collapse, which leaves a longer edge on the line.
-inline double Vertex_count::cost_of_lines(const Index h) const
-{
-  constexpr double last_resort = 1000., longest = 2. * 1.3 * 1.3;
-  double length = 0.;
-  m_remeshed.for_each_neighbor_on_line(
-      m_table.target(h), [&](const Index w) { length = (std::max)(length, size_cost(m_table.source(h), w)); });
-  return length > longest ? last_resort : 0.;
-}
-
 // Of the two faces of an edge; at the boundary, where there is one, the source takes the place of the fourth.
 inline std::array<Vertex_count::Index, 4> Vertex_count::corners(const Index h) const
 {
   const Index o = m_table.opposite(h), a = m_table.source(h);
   return {{a, m_table.target(h), m_table.apex(h), o == Lean_triangulation::none ? a : m_table.apex(o)}};
-}
-
-inline void Vertex_count::find_collapses()
-{
-  for(Index f = 0; f < m_table.face_slots(); ++f)
-  {
-    for(Index h = 4 * f; h < 4 * f + 3 && !m_table.is_removed_face(f); ++h)
-    {
-      const Index v = m_table.source(h), w = m_table.target(h);
-      const bool is_line = m_table.is_constrained(h);
-      if(is_line ? !m_remeshed.is_fixed(w) : m_remeshed.is_free(w))
-        m_changes.push_back({m_remeshed.energy().of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.),
-                             h, Lean_triangulation::none});
-    }
-  }
-}
-
-// Of each vertex the cheapest split into halves.
-inline void Vertex_count::find_splits()
-{
-  for(Index v = 0; v < m_table.vertex_slots(); ++v)
-  {
-    if(m_table.is_removed(v) || m_remeshed.is_on_line(v))
-      continue;
-    const int valence = static_cast<int>(m_table.valence(v)), half = valence / 2;
-    Change best{infinity, Lean_triangulation::none, Lean_triangulation::none};
-    double size = 0.;
-    Index across = m_table.halfedge(v);
-    for(int i = 0; i < half; ++i)
-      across = m_table.rotate(across);
-    m_table.for_each_outgoing(v, [&](const Index h) {
-      const double cost = 2. * (m_remeshed.energy().excess_at(Lean_triangulation::next(h)) +
-                                m_remeshed.energy().excess_at(Lean_triangulation::next(across)));
-      best = (std::min)(best, Change{cost, h, across});
-      size += size_cost(v, m_table.target(h));
-      across = m_table.rotate(across);
-    });
-    const int one = half + 2 - 6, two = valence - half + 2 - 6, excess = valence - 6;
-    best.cost += one * one + two * two - excess * excess + 2 - size / valence;
-    m_changes.push_back(best);
-  }
-}
-
-inline void Vertex_count::find_edge_splits()
-{
-  constexpr double last_resort = 1000., shortest = 2. * 1.5 * 1.5;
-  for(Index h = 0; h < 4 * m_table.face_slots(); ++h)
-  {
-    if((h & 3) == 3 || m_table.is_removed_face(Lean_triangulation::face(h)) || m_table.opposite(h) < h)
-      continue;
-    const Index v = m_table.source(h), w = m_table.target(h);
-    if(!m_remeshed.is_on_line(v) || !m_remeshed.is_on_line(w) ||
-       (m_remeshed.keeps_lines() && m_table.is_constrained(h)))
-      continue;
-    const double size = size_cost(v, w), last = m_table.is_constrained(h) ? last_resort : .5 * last_resort;
-    m_changes.push_back({m_remeshed.energy().of_edge_split(h) - size + (size < shortest ? last : 0.), h, h});
-  }
 }
 
 // Neighbours of a change made have to wait for the next pass; so some more than wanted are looked at. The cheapest may
