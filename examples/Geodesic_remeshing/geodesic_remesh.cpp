@@ -10,6 +10,7 @@
 // Remeshes a file: see --help. The table goes to standard output, the progress and the one line about an error to
 // standard error; the exit status tells whose fault it was.
 
+#include "command_line/hints.h"
 #include "command_line/html_report.h"
 #include "command_line/input.h"
 #include "command_line/options.h"
@@ -184,6 +185,9 @@ void run(const Options& options)
   if(!options.quiet)
     for(const std::string& repair : input.repairs)
       messages << "repaired the input: " << repair << "\n";
+
+  if(const std::string hint = options.quiet ? "" : command_line::hints(input.mesh, options); !hint.empty())
+    std::cerr << "geodesic_remesh: hint: " << hint << "\n";
 
   Mesh output;
   Transfer transfer(options.transfer, file, input, output);

@@ -670,6 +670,70 @@ TEST_F(Command_line, holes_are_filled_and_small_parts_dropped)
     EXPECT_EQ(run(scan + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
 }
 
+namespace {
+
+// The faces of an OFF file of triangles, each with vertices of its own, which are moved a little
+std::string as_soup(const std::string& off, double distance)
+{
+  std::istringstream in(off);
+  std::string word;
+  std::size_t vertices, faces, edges, n;
+  in >> word >> vertices >> faces >> edges;
+  std::vector<std::array<double, 3>> points(vertices);
+  for(auto& p : points)
+    in >> p[0] >> p[1] >> p[2];
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n" << 3 * faces << " " << faces << " 0\n";
+  for(std::size_t i = 0; i < 3 * faces; ++i)
+  {
+    std::size_t v;
+    in >> (i % 3 == 0 ? n : v);
+    if(i % 3 == 0)
+      in >> v;
+    out << points[v][0] + distance * std::sin(double(i)) << " " << points[v][1] << " " << points[v][2] << "\n";
+  }
+  for(std::size_t i = 0; i < faces; ++i)
+    out << "3 " << 3 * i << " " << 3 * i + 1 << " " << 3 * i + 2 << "\n";
+  return out.str();
+}
+
+} // namespace
+
+// What a scan or another program has left is seen, and the option that is named mends it.
+TEST_F(Command_line, hints_at_options_that_mend_the_input)
+{
+  const auto hint = [&](const std::string& input, const std::string& options) {
+    return run(input + " " + output() + " --vertices 300" + options).err;
+  };
+  const std::string whole = contents(MESHES_FOLDER "/eight.off");
+  const std::string soup = file("soup.off", as_soup(whole, 1e-6));
+  const std::string scan = file("scan.off", "OFF\n7 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 0 0\n2.01 0 0\n2 .01 0\n"
+                                            "3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 5 6\n");
+  std::string pierced = whole.substr(0, whole.find_last_not_of(" \r\n") + 1); // without the last face
+  const std::size_t last = pierced.find_last_of("\n");
+  std::string header;
+  std::size_t vertices, faces, edges;
+  std::istringstream(pierced) >> header >> vertices >> faces >> edges;
+  const std::string numbers = std::to_string(vertices) + " " + std::to_string(faces) + " ";
+  ASSERT_NE(pierced.find(numbers), std::string::npos);
+  pierced = pierced.substr(0, last + 1)
+                .replace(pierced.find(numbers), numbers.size(),
+                         std::to_string(vertices) + " " + std::to_string(faces - 1) + " ");
+  const std::string hole = file("hole.off", pierced);
+  EXPECT_EQ(hint(mesh("eight"), ""), "");
+  EXPECT_NE(hint(soup, "").find("hint: 1902 of the 1902 vertices of the boundary"), std::string::npos)
+      << hint(soup, "");
+  EXPECT_EQ(hint(soup, " --stitch 2.1e-06"), "");
+  EXPECT_EQ(hint(scan, ""), "geodesic_remesh: hint: 1 of the 2 parts are smaller than four of the new triangles "
+                            "(--drop-parts 0.0027 leaves them out)\n");
+  EXPECT_EQ(hint(scan, " --drop-parts 0.0027"), "");
+  EXPECT_EQ(hint(hole, ""), "geodesic_remesh: hint: 1 holes are no longer around than four of the new edges "
+                            "(--fill-holes 3 closes them)\n");
+  EXPECT_EQ(hint(hole, " --fill-holes 3"), "");
+  EXPECT_EQ(hint(hole, " --quiet"), "");
+}
+
 // Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong
 TEST_F(Command_line, damaged_files)
 {

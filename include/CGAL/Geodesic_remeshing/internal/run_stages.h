@@ -144,11 +144,14 @@ void avoid_conflicts(const Stages_work& work, const Target& target, const std::v
                      const Sizing_limits& limits, Clock& clock, Stage_results* kept, std::unique_ptr<Stages_run>& best)
 {
   leave_out_conflicts_of_input(work.surface, best->conflicts);
-  const std::size_t runs = best->number_of_vertices <= 20000 ? 6 : 2; // of large meshes each takes its time
+  const std::size_t n = best->number_of_vertices;
+  if(best->conflicts.size() > 60 + n / 200) // what is so much of the mesh is not a few places that need more
+    return;
+  const int runs = n <= 4000 ? 6 : n <= 20000 ? 3 : 2; // each takes its time
   Conflict_sizing sizing(work.surface, wishes, limits);
   std::vector<Conflict_place> conflicts = best->conflicts;
   clock.repeat(true);
-  for(std::size_t i = 0; i < runs && !conflicts.empty(); ++i)
+  for(int i = 0; i < runs && !conflicts.empty(); ++i)
   {
     sizing.shorten(conflicts);
     auto run = std::make_unique<Stages_run>();

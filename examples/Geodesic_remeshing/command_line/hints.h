@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_HINTS_H
+#define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_HINTS_H
+
+#include "clean_up.h"
+#include "options.h"
+#include "stitch.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace command_line {
+
+// What a look at the input makes one suspect, and which option would mend it: of scans and of what other programs
+// wrote.
+namespace internal {
+
+inline std::string short_number(double x)
+{
+  std::ostringstream out;
+  out.precision(2);
+  out << x;
+  return out.str();
+}
+
+// Rounded up, so that what is below this is below the result
+inline std::string short_number_above(double x)
+{
+  const double unit = std::pow(10., std::floor(std::log10(x)) - 1.);
+  return short_number(unit * (std::floor(x / unit) + 1.));
+}
+
+inline double target_edge_length(const Options& options, double area)
+{
+  if(options.edge_length)
+    return *options.edge_length;
+  const double faces =
+      options.faces ? static_cast<double>(*options.faces) : 2. * static_cast<double>(*options.vertices);
+  return std::sqrt(4. / std::sqrt(3.) * area / faces);
+}
+
+struct Parts
+{
+  std::vector<std::size_t> part_of; // of each face
+  std::vector<double> area;
+  double whole = 0.;
+  double tiny = 0.; // the area below which a part is not worth its vertices: that of four of the new triangles
+};
+
+inline Parts find_parts(const Mesh& mesh, const Options& options)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Parts parts;
+  parts.part_of.resize(mesh.number_of_faces());
+  const auto map = boost::make_iterator_property_map(parts.part_of.begin(), CGAL::get(boost::face_index, mesh));
+  parts.area.resize(PMP::connected_components(mesh, map), 0.);
+  for(const Mesh::Face_index f : mesh.faces())
+    parts.area[parts.part_of[f]] += PMP::face_area(f, mesh);
+  for(const double area : parts.area)
+    parts.whole += area;
+  const double length = target_edge_length(options, parts.whole);
+  parts.tiny = std::sqrt(3.) * length * length;
+  return parts;
+}
+
+// Cracks: many vertices of the boundary have another one, not beside them, at a distance that is small for an edge.
+inline std::string hint_at_cracks(const Mesh& mesh)
+{
+  std::vector<Point> points;
+  std::vector<std::size_t> boundary;
+  std::vector<Mesh::Vertex_index> next(mesh.number_of_vertices()), previous(mesh.number_of_vertices());
+  double length = 0.;
+  for(const auto v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  for(const auto h : mesh.halfedges())
+    if(mesh.is_border(h))
+    {
+      boundary.push_back(mesh.target(h));
+      next[mesh.source(h)] = mesh.target(h);
+      previous[mesh.target(h)] = mesh.source(h);
+      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+    }
+  if(boundary.empty() || !(length > 0.))
+    return "";
+  const Near_points near(points, boundary, .1 * length / static_cast<double>(boundary.size()));
+  std::size_t number = 0;
+  double farthest = 0.;
+  for(const std::size_t v : boundary)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    near.for_each_near(v, [&](const std::size_t w) {
+      // those at the same point have been parted by the repair, or by who made the file
+      if(w != v && w != next[v] && w != previous[v] && points[w] != points[v])
+        nearest = (std::min)(nearest, CGAL::squared_distance(points[v], points[w]));
+    });
+    if(nearest < std::numeric_limits<double>::infinity())
+    {
+      ++number;
+      farthest = (std::max)(farthest, std::sqrt(nearest));
+    }
+  }
+  if(number < 10 || 4 * number < boundary.size())
+    return "";
+  return std::to_string(number) + " of the " + std::to_string(boundary.size()) +
+         " vertices of the boundary are next to others (--stitch " + short_number_above(farthest) + " joins them)";
+}
+
+inline std::string hint_at_tiny_parts(const Parts& parts)
+{
+  std::size_t number = 0;
+  double largest = 0., sum = 0.;
+  for(const double area : parts.area)
+    if(area < parts.tiny)
+    {
+      ++number;
+      largest = (std::max)(largest, area);
+      sum += area;
+    }
+  if(number == 0 || sum > .1 * parts.whole || !(largest > 0.))
+    return "";
+  return std::to_string(number) + " of the " + std::to_string(parts.area.size()) +
+         " parts are smaller than four of the new triangles (--drop-parts " +
+         short_number_above(100. * largest / parts.whole) + " leaves them out)";
+}
+
+// Of parts that are larger, holes around which there are at most four of the new edges
+inline std::string hint_at_tiny_holes(const Mesh& mesh, const Parts& parts, double edge_length)
+{
+  std::vector<std::size_t> tiny;                                          // their numbers of edges
+  std::size_t fewest_of_others = std::numeric_limits<std::size_t>::max(); // which are not to be closed
+  for(const Mesh::Halfedge_index hole : holes_of(mesh))
+  {
+    std::size_t edges = 0;
+    double length = 0.;
+    for(const auto h : mesh.halfedges_around_face(hole))
+    {
+      ++edges;
+      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+    }
+    if(parts.area[parts.part_of[mesh.face(mesh.opposite(hole))]] < parts.tiny)
+      continue;
+    if(length < 4. * edge_length)
+      tiny.push_back(edges);
+    else
+      fewest_of_others = (std::min)(fewest_of_others, edges);
+  }
+  tiny.erase(std::remove_if(tiny.begin(), tiny.end(), [&](std::size_t n) { return n >= fewest_of_others; }),
+             tiny.end());
+  if(tiny.empty())
+    return "";
+  return std::to_string(tiny.size()) + " holes are no longer around than four of the new edges (--fill-holes " +
+         std::to_string(*std::max_element(tiny.begin(), tiny.end())) + " closes them)";
+}
+
+} // namespace internal
+
+// One line, empty where there is nothing to say. Behind cracks, parts and holes are not what they seem.
+inline std::string hints(const Mesh& mesh, const Options& options)
+{
+  const std::string cracks = internal::hint_at_cracks(mesh);
+  if(!cracks.empty())
+    return cracks;
+  const internal::Parts parts = internal::find_parts(mesh, options);
+  const std::string tiny_parts = internal::hint_at_tiny_parts(parts);
+  const std::string holes =
+      internal::hint_at_tiny_holes(mesh, parts, internal::target_edge_length(options, parts.whole));
+  return tiny_parts + (tiny_parts.empty() || holes.empty() ? "" : "; ") + holes;
+}
+
+} // namespace command_line
+
+#endif // CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_HINTS_H
