@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CONFLICT_REFINEMENT_H
 
 #include <CGAL/Geodesic_remeshing/internal/Conflict_search.h>
+#include <CGAL/Geodesic_remeshing/internal/Conflict_sizing.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
@@ -38,7 +39,8 @@ public:
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_edge_length(edge_length)
   {}
 
-  // Returns what is left.
+  // Returns what is left; nothing where that is the input's doing, or so much of the mesh that it is not a few places
+  // that need more vertices.
   Conflicts run(std::size_t number_of_vertices);
 
 private:
@@ -79,7 +81,7 @@ inline void Conflict_refinement::divide(const std::vector<Index>& faces)
     divide_longest_edge(f);
 }
 
-// With whatever angles that takes: those that can be bettered will be.
+// With whatever angles that takes: most of these can be bettered.
 inline void Conflict_refinement::repair()
 {
   Intersection_repair repair(m_remeshed);
@@ -131,11 +133,13 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
 
 inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)
 {
-  // More than these are those of an input that intersects itself, where all would be tried in vain.
-  const std::size_t most = 80 + number_of_vertices / 200;
   const Conflicts conflicts = find_conflicts(m_remeshed);
-  if(conflicts.number == 0 || conflicts.number > most || m_table.number_of_vertices() != number_of_vertices)
+  if(conflicts.number == 0 || conflicts.number > 80 + number_of_vertices / 200 ||
+     is_input_in_conflict(m_remeshed.walker().surface(), places_of(m_remeshed, conflicts)))
+    return {};
+  if(m_table.number_of_vertices() != number_of_vertices)
     return conflicts;
+  const double worst_before = worst_badness_of(m_remeshed), poor = badness_of_angle(15.);
   const Remeshed_surface::State state = m_remeshed.state();
   refine(conflicts, number_of_vertices + number_of_vertices / 4);
   if(reach(number_of_vertices))
@@ -143,7 +147,7 @@ inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)
     Polish(m_remeshed).run(badness_of_angle(30.), false);
     repair();
     const Conflicts left = find_conflicts(m_remeshed);
-    if(left.number < conflicts.number)
+    if(left.number < conflicts.number && worst_badness_of(m_remeshed) <= (std::max)(worst_before, poor))
       return left;
   }
   m_remeshed.restore(state);

@@ -95,6 +95,18 @@ inline Conflicts find_conflicts(const Remeshed_surface& remeshed)
   return result;
 }
 
+// Of all faces
+inline double worst_badness_of(const Remeshed_surface& remeshed)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  double result = 0.;
+  for(Lean_triangulation::Index f = 0; f < table.face_slots(); ++f)
+    if(!table.is_removed_face(f))
+      result =
+          (std::max)(result, remeshed.badness(table.source(4 * f), table.source(4 * f + 1), table.source(4 * f + 2)));
+  return result;
+}
+
 // Where such a face is, for those who do not know the triangulation
 struct Conflict_place
 {

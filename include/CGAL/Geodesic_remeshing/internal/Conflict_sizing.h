@@ -33,30 +33,26 @@ inline Bbox_3 box_of(const Conflict_place& place)
   return (place.center - way).bbox() + (place.center + way).bbox();
 }
 
-// Leaves out what the input does itself: where it intersects itself, no triangles are small enough.
-inline void leave_out_conflicts_of_input(const Mesh& surface, std::vector<Conflict_place>& conflicts)
+// Whether the input itself intersects where there are conflicts: then no triangles are small enough.
+inline bool is_input_in_conflict(const Mesh& surface, const std::vector<Conflict_place>& conflicts)
 {
-  if(conflicts.empty())
-    return;
   const auto box_of_face = [&](const Face f) {
     const auto v = vertices_of(surface, f);
     return surface.point(v[0]).bbox() + surface.point(v[1]).bbox() + surface.point(v[2]).bbox();
   };
-  const auto is_near = [&](const Face f, const Conflict_place& place) {
-    return do_overlap(box_of_face(f), box_of(place));
-  };
+  std::vector<Bbox_3> boxes;
+  for(const Conflict_place& place : conflicts)
+    boxes.push_back(box_of(place));
   std::vector<Face> near;
   for(const Face f : surface.faces())
-    if(std::any_of(conflicts.begin(), conflicts.end(), [&](const Conflict_place& p) { return is_near(f, p); }))
+  {
+    const Bbox_3 box = box_of_face(f);
+    if(std::any_of(boxes.begin(), boxes.end(), [&](const Bbox_3& b) { return do_overlap(box, b); }))
       near.push_back(f);
+  }
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(near, surface, std::back_inserter(pairs));
-  const auto is_of_input = [&](const Conflict_place& place) {
-    return std::any_of(pairs.begin(), pairs.end(), [&](const std::pair<Face, Face>& pair) {
-      return is_near(pair.first, place) && is_near(pair.second, place);
-    });
-  };
-  conflicts.erase(std::remove_if(conflicts.begin(), conflicts.end(), is_of_input), conflicts.end());
+  return !pairs.empty();
 }
 
 // What lengths edges are to have so that faces that were in conflict will not be: shorter ones there, and steeper

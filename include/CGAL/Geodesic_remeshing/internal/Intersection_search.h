@@ -237,6 +237,8 @@ inline void Intersection_search::divide(Share& share, const std::size_t begin, c
   }
   const auto axis = std::max_element(length.begin(), length.end()) - length.begin();
   const double middle = low[axis] + length[axis] / 2.;
+  if(!(low[axis] < middle)) // all meet at one point, to the last bit: these nothing parts
+    return test_all(share, begin, end, part);
   std::array<Box, 2> half = {{part, part}};
   half[0].high[axis] = half[1].low[axis] = middle;
   std::size_t number = 0;

@@ -46,6 +46,13 @@ struct Improvement_parameters
   Block_size block_size = Block_size();
 };
 
+// What is left to be wished
+struct Improvement_result
+{
+  std::vector<Conflict_place> conflicts; // faces that intersect or are turned over
+  double worst_badness = 0.;
+};
+
 // Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what
 // it does, the number of vertices is set.
 template <class Progress>
@@ -283,13 +290,11 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
 // such edges that is not pinned slides along them. Of the `constraints` the corners tell where lines end.
 // `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is a valid
 // mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
-// Without iterations only the number of vertices is set, to show what the stages before made. Returns where faces
-// intersect or are turned over still.
+// Without iterations only the number of vertices is set, to show what the stages before made.
 template <class Progress>
-std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
-                                    Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
-                                    const Constraints& constraints, const Improvement_parameters& parameters,
-                                    Progress&& go_on)
+Improvement_result improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
+                           Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
+                           const Constraints& constraints, const Improvement_parameters& parameters, Progress&& go_on)
 {
   const Surface_walker walker(surface, constraints, parameters.block_size.concurrency);
   Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained, parameters.block_size);
@@ -299,7 +304,7 @@ std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Proper
   else
     conflicts = improve(remeshed, parameters, go_on);
   write_back(remeshed, out, place, pinned, constrained);
-  return places_of(remeshed, conflicts);
+  return {places_of(remeshed, conflicts), worst_badness_of(remeshed)};
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
+#include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
@@ -23,6 +24,7 @@
 #include <CGAL/Geodesic_remeshing/internal/working_surface.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -51,7 +53,7 @@ struct Stages_run
   const Working_surface* pieces = nullptr; // one of these
   Segmentation segmentation;
   Placed_mesh remeshed;
-  std::vector<Conflict_place> conflicts;
+  Improvement_result improvement;
   std::size_t number_of_regions = 0, number_of_curves = 0, number_of_strips = 0;
 };
 
@@ -127,13 +129,21 @@ void run_stages(const Stages_work& work, const Target& target, const Goal& goal,
   clock.stage("improvement", .55);
   bool goes_on = true;
   const double end_of_improvement = options.do_project ? .95 : .75;
-  run.conflicts = improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
-                          options.improvement(n, edge_length), [&](double done) {
-                            return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done);
-                          });
+  run.improvement = improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
+                            options.improvement(n, edge_length), [&](double done) {
+                              return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done);
+                            });
   if(!goes_on)
     clock.give_up();
   check_count(remeshed.mesh, n);
+}
+
+// Fewer conflicts at the cost of some angles, but not of any
+inline bool is_better(const Improvement_result& result, const Improvement_result& than)
+{
+  static const double poor = badness_of_angle(10.);
+  return result.conflicts.size() < than.conflicts.size() &&
+         result.worst_badness <= (std::max)(than.worst_badness, poor);
 }
 
 // Where triangles as large as these are in conflict smaller ones are tried, at the cost of others, until there are no
@@ -143,13 +153,10 @@ template <class Target, class Clock>
 void avoid_conflicts(const Stages_work& work, const Target& target, const std::vector<double>& wishes,
                      const Sizing_limits& limits, Clock& clock, Stage_results* kept, std::unique_ptr<Stages_run>& best)
 {
-  leave_out_conflicts_of_input(work.surface, best->conflicts);
+  std::vector<Conflict_place> conflicts = best->improvement.conflicts;
   const std::size_t n = best->number_of_vertices;
-  if(best->conflicts.size() > 60 + n / 200) // what is so much of the mesh is not a few places that need more
-    return;
   const int runs = n <= 4000 ? 6 : n <= 20000 ? 3 : 2; // each takes its time
   Conflict_sizing sizing(work.surface, wishes, limits);
-  std::vector<Conflict_place> conflicts = best->conflicts;
   clock.repeat(true);
   for(int i = 0; i < runs && !conflicts.empty(); ++i)
   {
@@ -167,14 +174,12 @@ void avoid_conflicts(const Stages_work& work, const Target& target, const std::v
         throw;
       break;
     }
-    leave_out_conflicts_of_input(work.surface, run->conflicts);
-    conflicts = run->conflicts;
-    if(conflicts.size() < best->conflicts.size())
-    {
-      best = std::move(run);
-      if(kept != nullptr)
-        *kept = std::move(stages);
-    }
+    conflicts = run->improvement.conflicts;
+    if(!is_better(run->improvement, best->improvement))
+      continue;
+    best = std::move(run);
+    if(kept != nullptr)
+      *kept = std::move(stages);
   }
   clock.repeat(false);
 }
