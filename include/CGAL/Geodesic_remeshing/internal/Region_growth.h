@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_REGION_GROWTH_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_REGION_GROWTH_H
 
+#include <CGAL/Geodesic_remeshing/internal/Bridge_sides.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Fronts.h>
 #include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
@@ -36,7 +37,7 @@ public:
   Region_growth(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance,
                 const Vertex_order& order, double curve_distance)
     : fronts(mesh), m_mesh(mesh), m_marching(marching), m_distance(distance), m_order(order),
-      m_curve_distance(curve_distance), m_top_of(mesh.number_of_vertices(), -1)
+      m_curve_distance(curve_distance), m_top_of(mesh.number_of_vertices(), -1), m_sides(mesh)
   {
     const std::size_t n = mesh.number_of_vertices();
     result.region.assign(n, -1);
@@ -77,9 +78,12 @@ public:
     Region& region = result.regions[r];
     region.bottom = junction;
     march(r);
-    const bool one_sided = mark_side(r, saddle);
+    const bool one_sided = !open[r].side.empty();
+    if(one_sided)
+      m_sides.mark(r, open[r].side,
+                   [&](Vertex v) { return !fronts.is_taken(v) && m_order.rank[v] > m_order.rank[saddle]; });
     const auto domain = [&](Vertex v) {
-      return is_unowned(v) && (!one_sided || m_side_of[v] == r || m_order.rank[v] <= m_order.rank[saddle]);
+      return is_unowned(v) && (!one_sided || m_sides.is_on(v, r) || m_order.rank[v] <= m_order.rank[saddle]);
     };
     double reach = 0.;
     m_marching.march(shape(r), domain, [&](Vertex v, double d) {
@@ -243,28 +247,6 @@ private:
       take_region(r, region.height);
   }
 
-  // Two fronts that begin on the two sides of one bridge must not march over it: marks the surface from the one front
-  // down to the level of the saddle, by a flood over edges of the mesh.
-  bool mark_side(int r, Vertex saddle)
-  {
-    if(open[r].side.empty())
-      return false;
-    if(m_side_of.empty())
-      m_side_of.assign(m_mesh.number_of_vertices(), -1);
-    std::vector<Vertex> stack = open[r].side;
-    while(!stack.empty())
-    {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      if(m_side_of[v] == r || fronts.is_taken(v) || m_order.rank[v] <= m_order.rank[saddle])
-        continue;
-      m_side_of[v] = r;
-      for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-        stack.push_back(m_mesh.source(h));
-    }
-    return true;
-  }
-
   // Takes the vertices within `height` of the top, nearest first.
   void take_region(int r, double height)
   {
@@ -301,8 +283,8 @@ private:
   const std::vector<double>& m_distance;
   const Vertex_order& m_order;
   const double m_curve_distance;
-  std::vector<int> m_top_of;  // of a vertex: the region closed last whose top it is on
-  std::vector<int> m_side_of; // of a vertex: the region whose side of a bridge it is on, where that matters
+  std::vector<int> m_top_of; // of a vertex: the region closed last whose top it is on
+  Bridge_sides m_sides;
 };
 
 } // namespace internal

@@ -80,8 +80,8 @@ inline std::vector<Vertex_change> Vertex_changes::collapses() const
       const Index v = m_table.source(h), w = m_table.target(h);
       const bool is_line = m_table.is_constrained(h);
       if(is_line ? !m_remeshed.is_fixed(w) : m_remeshed.is_free(w))
-        changes.push_back({m_remeshed.energy().of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.),
-                             h, Lean_triangulation::none});
+        changes.push_back({m_remeshed.energy().of_collapse(h) + size_cost(v, w) + (is_line ? cost_of_lines(h) : 0.), h,
+                           Lean_triangulation::none});
     }
   }
   return changes;
