@@ -35,8 +35,8 @@ class Curve_sampler
 {
 public:
   Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
-                const Level_curves& curves, const Line_samples& lines, double edge_length,
-                std::size_t expected, const Concurrency concurrency = Concurrency())
+                const Level_curves& curves, const Line_samples& lines, double edge_length, std::size_t expected,
+                const Concurrency concurrency = Concurrency())
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
       m_segmentation(segmentation), m_curves(curves), m_lines(lines), m_edge_length(edge_length),
       m_concurrency(concurrency), m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines),
