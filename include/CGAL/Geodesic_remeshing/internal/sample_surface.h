@@ -56,7 +56,7 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
     const double excess = static_cast<double>(samples.size()) - wanted;
     if(best.empty() || std::abs(excess) < std::abs(static_cast<double>(best.size()) - wanted))
       best.swap(samples);
-    if(std::abs(excess) < .003 * wanted)
+    if(std::abs(excess) < .001 * wanted)
       break;
     refused -= excess;
   }
