@@ -26,7 +26,7 @@ namespace internal {
 // Copies the corners of the faces of a graph, the lengths of their sides and which side is beside which.
 template <typename Graph, typename VertexIndexMap, typename FaceIndexMap, typename Length_of_halfedge>
 void copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap face_index,
-                                         const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& copy)
+                const Length_of_halfedge& length_of_halfedge, Intrinsic_faces& copy)
 {
   using Index = Intrinsic_faces::Index;
   for(const auto f : faces(graph))
@@ -56,8 +56,8 @@ void copy_faces(const Graph& graph, VertexIndexMap vertex_index, FaceIndexMap fa
 
 // The same for a `Surface_mesh`, face by face: both sides of an edge are asked for its length, which is the same.
 template <typename Length_of_halfedge>
-void copy_faces(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge,
-                                         const Concurrency concurrency, Intrinsic_faces& copy)
+void copy_faces(const Mesh& mesh, const Length_of_halfedge& length_of_halfedge, const Concurrency concurrency,
+                Intrinsic_faces& copy)
 {
   using Index = Intrinsic_faces::Index;
   parallel_for(concurrency, mesh.num_faces(), [&](const std::size_t i) {
