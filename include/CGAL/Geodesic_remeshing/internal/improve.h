@@ -226,10 +226,6 @@ bool recover_tips_and_remove_defects(Remeshed_surface& remeshed, const Improveme
                        [&](const double progress) { return go_on(.5 + .5 * progress); }))
       return false;
   }
-  // The quadric steps between the last sweeps have followed the surface at the cost of angles, which on a mesh of few
-  // vertices need a step of their own: a fifth of a degree in the mean, for one percent of the RMS distance.
-  if(is_moderate(remeshed, parameters.number_of_vertices))
-    relax(remeshed);
   recover_tips(remeshed, last_tolerance);
   remeshed.keep_tips_on_leash(leash);
   // Once more, on the cells as they are now: nearer to hollows.

@@ -45,20 +45,22 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
 {
   const std::vector<double> lengths = lengths_of_curves(working.mesh, curves);
   const double wanted = static_cast<double>(number);
-  double refused = 0.; // less those on peaks
+  // what the curves are to have: less the samples off the curves, more those that are refused for being too near to
+  // another
+  double on_curves = wanted;
   std::vector<Sample> best;
   for(int attempt = 0; attempt < 4; ++attempt)
   {
-    Curve_sampler sampler(surface, working, segmentation, curves, lines, edge_length, number, concurrency);
-    const double off_curves = static_cast<double>(sampler.sample_off_curves(roots));
+    const double spacing = spacing_for(lengths, edge_length, on_curves);
     std::vector<Sample> samples =
-        sampler.sample_curves(spacing_for(lengths, edge_length, wanted - off_curves + refused));
+        Curve_sampler(surface, working, segmentation, curves, lines, edge_length, spacing, number, concurrency)
+            .run(roots);
     const double excess = static_cast<double>(samples.size()) - wanted;
     if(best.empty() || std::abs(excess) < std::abs(static_cast<double>(best.size()) - wanted))
       best.swap(samples);
-    if(std::abs(excess) < .001 * wanted)
+    if(std::abs(excess) < .003 * wanted)
       break;
-    refused -= excess;
+    on_curves -= excess;
   }
   return best;
 }
