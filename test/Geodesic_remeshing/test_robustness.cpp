@@ -264,8 +264,8 @@ Mesh read_model(const std::string& name)
 } // namespace
 
 // Thin walls, a bowl as thin as paper and a fold: triangles of one size cut through what is behind them, or turn over,
-// as all of these did before the stages were run again with smaller ones there. One may be left where that does not
-// help.
+// as all of these did before the stages were run again with smaller ones there. Of three, one may be left where that
+// does not help.
 TEST(Hard_surface, thin_walls_and_folds)
 {
   struct Case
@@ -277,15 +277,15 @@ TEST(Hard_surface, thin_walls_and_folds)
 #ifdef NDEBUG // a hundred times as fast as with all assertions
   cases.insert(cases.end(), {{"couplingdown", 200}, {"femur", 2000}});
 #endif
-  std::string blemished;
+  std::vector<std::string> blemished;
   for(const Case& c : cases)
   {
     SCOPED_TRACE(c.name);
     const GR::Remeshing_validity validity = expect_valid(read_model(c.name), c.vertices);
     if(validity.self_intersections + validity.flipped_faces > 0)
-      blemished += std::string(c.name) + " ";
+      blemished.push_back(c.name);
   }
-  EXPECT_LE(std::count(blemished.begin(), blemished.end(), ' '), 1) << blemished;
+  EXPECT_LE(blemished.size(), cases.size() / 3) << testing::PrintToString(blemished);
 }
 
 // Where the stages are run once more, to have smaller triangles in such places, the visitor can stop them as well; it

@@ -92,15 +92,17 @@ private:
     if(!(before > std::pow(m_tolerance * m_remeshed.spot(v).size, 4.)))
       return false;
     double least = least_gain * before, best = s.at;
+    bool is_found = false;
     for_each_candidate(s, [&](const double at) {
       const double d = deviation_beside(s, at);
       if(d < least)
       {
         least = d;
         best = at;
+        is_found = true;
       }
     });
-    for(double part = 1.; part > .2 && best != s.at; part *= .5)
+    for(double part = 1.; part > .2 && is_found; part *= .5)
     {
       const double at = s.at + part * (best - s.at);
       if((part > .9 || deviation_beside(s, at) < least_gain * before) && try_moves({{{v, at}, {v, at}}}, s.piece))
