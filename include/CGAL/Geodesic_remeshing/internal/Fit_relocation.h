@@ -13,14 +13,13 @@
 #include <CGAL/Geodesic_remeshing/internal/Fit_assignment.h>
 #include <CGAL/Geodesic_remeshing/internal/Fit_probes.h>
 #include <CGAL/Geodesic_remeshing/internal/Fit_steps.h>
+#include <CGAL/Geodesic_remeshing/internal/Fit_zone.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
-#include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <tuple>
 #include <vector>
 
@@ -37,7 +36,8 @@ public:
   using Index = Lean_triangulation::Index;
 
   Fit_relocation(Remeshed_surface& remeshed, Fit_assignment& assignment, Fit_probes& probes, Fit_steps& steps)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_assignment(assignment), m_probes(probes), m_steps(steps)
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_assignment(assignment), m_probes(probes),
+      m_steps(steps), m_zone(remeshed, probes, steps)
   {}
 
   // For the faces that deviate by more than `deviation`, those first that cost most. Returns the number of vertices
@@ -52,23 +52,10 @@ private:
     double cost;
     Index at;
   };
-  // What a change touches
-  struct Zone
-  {
-    std::vector<Index> vertices, faces;
-    double cost, badness;
-  };
 
   double largest_deviation(Index f);
   double cost(Index f);
   void rank();
-  void mark_zone(std::initializer_list<Index> centers);
-  double change_of_zone(double change_before);
-  bool is_zone_good() const { return zone_badness() <= m_zone.badness; }
-  double zone_cost();
-  double zone_badness() const;
-  void settle();
-  void regularize(Index v);
   bool split(Index h, double& change);
   bool split_an_edge(Index f, double& change);
   bool collapse(Index v, double& change);
@@ -81,8 +68,7 @@ private:
   Fit_steps& m_steps;
   std::vector<Item> m_faces, m_vertices; // the most costly faces first, the least costly vertices first
   std::size_t m_next_vertex = 0;
-  Zone m_zone;
-  std::vector<Index> m_spokes;
+  Fit_zone m_zone;
 };
 
 inline double Fit_relocation::largest_deviation(const Index f)
@@ -134,84 +120,6 @@ inline void Fit_relocation::rank()
             [](const Item& x, const Item& y) { return std::tie(x.cost, x.at) < std::tie(y.cost, y.at); });
 }
 
-inline double Fit_relocation::zone_cost()
-{
-  double sum = 0.;
-  for(const Index f : m_zone.faces)
-    if(!m_table.is_removed_face(f))
-      sum += m_probes.face_cost(f, m_steps.cost());
-  return sum;
-}
-
-inline double Fit_relocation::zone_badness() const
-{
-  double worst = 0.;
-  for(const Index f : m_zone.faces)
-    if(!m_table.is_removed_face(f))
-      worst = add_badness(
-          worst, m_remeshed.badness(m_table.source(4 * f), m_table.source(4 * f + 1), m_table.source(4 * f + 2)));
-  return worst;
-}
-
-// Some vertices, their neighbors and the faces around all of them
-inline void Fit_relocation::mark_zone(const std::initializer_list<Index> centers)
-{
-  const auto make_unique = [](std::vector<Index>& x) {
-    std::sort(x.begin(), x.end());
-    x.erase(std::unique(x.begin(), x.end()), x.end());
-  };
-  m_zone.vertices.assign(centers);
-  for(const Index v : centers)
-    m_table.for_each_neighbor(v, [&](const Index w) { m_zone.vertices.push_back(w); });
-  make_unique(m_zone.vertices);
-  m_zone.faces.clear();
-  for(const Index v : m_zone.vertices)
-    m_table.for_each_outgoing(v, [&](const Index h) { m_zone.faces.push_back(Lean_triangulation::face(h)); });
-  make_unique(m_zone.faces);
-  m_zone.cost = zone_cost();
-  m_zone.badness = (std::max)(fit_badness(), zone_badness());
-}
-
-inline double Fit_relocation::change_of_zone(const double change_before)
-{
-  return m_steps.change() - change_before + zone_cost() - m_zone.cost;
-}
-
-inline void Fit_relocation::regularize(const Index v)
-{
-  m_spokes.clear();
-  m_table.for_each_outgoing(v, [&](const Index h) { m_spokes.push_back(h); });
-  for(const Index h : m_spokes)
-    // a flip before may have made another edge of it
-    if(m_table.source(h) == v && !m_table.is_constrained(h) && !m_steps.is_edge_frozen(h) &&
-       is_flip_better(m_remeshed, h))
-      m_steps.flip_and_search(h);
-}
-
-// First for the valences and the angles, which the change has spoilt, then for the deviations.
-inline void Fit_relocation::settle()
-{
-  constexpr double strong_pull = .5;
-  const auto move_each = [&](const double pull) {
-    for(const Index v : m_zone.vertices)
-      if(!m_table.is_removed(v) && !m_remeshed.is_fixed(v))
-        m_steps.move(v, pull);
-  };
-  for(int round = 0; round < 2; ++round)
-  {
-    for(const Index v : m_zone.vertices)
-      if(!m_table.is_removed(v))
-        regularize(v);
-    move_each(strong_pull);
-  }
-  for(const Index f : m_zone.faces)
-    for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      if(!m_table.is_removed_face(f))
-        m_steps.flip(h);
-  for(int round = 0; round < 2; ++round)
-    move_each(Fit_steps::usual_pull);
-}
-
 inline bool Fit_relocation::split(const Index h, double& change)
 {
   const Index o = m_table.opposite(h);
@@ -219,7 +127,7 @@ inline bool Fit_relocation::split(const Index h, double& change)
     return false;
   const Index a = m_table.source(h), b = m_table.target(h), f = Lean_triangulation::face(h),
               g = Lean_triangulation::face(o);
-  mark_zone({a, b, m_table.apex(h), m_table.apex(o)});
+  m_zone.mark({a, b, m_table.apex(h), m_table.apex(o)});
   const double before = m_steps.change();
   m_steps.gather(std::array<Index, 2>{{f, g}});
   const Remeshed_surface::Spot spot = m_steps.spot_at(
@@ -230,16 +138,16 @@ inline bool Fit_relocation::split(const Index h, double& change)
     const Index x = Lean_triangulation::face(k);
     if(x != f && x != g)
     {
-      m_zone.faces.push_back(x);
+      m_zone.add_face(x);
       m_probes.forget(x);
     }
   });
   m_steps.search_gathered(infinity);
   m_steps.assign_gathered();
-  m_zone.vertices.push_back(w);
-  settle();
-  change = change_of_zone(before);
-  return is_zone_good();
+  m_zone.add_vertex(w);
+  m_zone.settle();
+  change = m_zone.change_since(before);
+  return m_zone.is_good();
 }
 
 // Onto the nearest neighbor that it may become one with.
@@ -261,7 +169,7 @@ inline bool Fit_relocation::collapse(const Index v, double& change)
   });
   if(h == Lean_triangulation::none)
     return false;
-  mark_zone({v});
+  m_zone.mark({v});
   const double before = m_steps.change();
   const Index o = m_table.opposite(h);
   m_assignment.move_samples(Lean_triangulation::face(h),
@@ -272,9 +180,9 @@ inline bool Fit_relocation::collapse(const Index v, double& change)
   m_table.collapse(h);
   m_steps.search_gathered(infinity);
   m_steps.assign_gathered();
-  settle();
-  change = change_of_zone(before);
-  return is_zone_good();
+  m_zone.settle();
+  change = m_zone.change_since(before);
+  return m_zone.is_good();
 }
 
 inline bool Fit_relocation::split_an_edge(const Index f, double& change)

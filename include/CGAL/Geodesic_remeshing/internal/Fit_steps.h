@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Fit_assignment.h>
 #include <CGAL/Geodesic_remeshing/internal/Fit_cost.h>
+#include <CGAL/Geodesic_remeshing/internal/Fit_ledger.h>
 #include <CGAL/Geodesic_remeshing/internal/Fit_probes.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
@@ -36,19 +37,14 @@ inline double fit_badness()
 // The steps that bring a triangulation nearer to the input: each moves a vertex, off the surface where it likes, or
 // flips an edge, and is taken back unless the deviations around cost less. Vertices on lines slide along them, corners
 // stay.
-class Fit_steps
+class Fit_steps : public Fit_ledger
 {
 public:
-  using Index = Lean_triangulation::Index;
-  using Assigned = Fit_assignment::Assigned;
-
   Fit_steps(Remeshed_surface& remeshed, Fit_assignment& assignment, Fit_probes& probes, const double edge_length,
             const std::vector<char>& is_frozen)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_assignment(assignment), m_probes(probes),
-      m_longest_step(.3 * edge_length), m_is_frozen(is_frozen), m_is_held(m_table.vertex_slots(), 0)
+    : Fit_ledger(remeshed, assignment), m_probes(probes), m_longest_step(.3 * edge_length), m_is_frozen(is_frozen),
+      m_is_held(m_table.vertex_slots(), 0)
   {}
-
-  Fit_cost& cost() { return m_cost; }
 
   void move_all();
   void flip_all();
@@ -57,7 +53,6 @@ public:
   bool flip(Index h);            // if that costs less and makes no bad angle
   void flip_and_search(Index h); // whatever it costs
   Remeshed_surface::Spot spot_at(const Point& p, Index start) const;
-  double root_mean_square() const;
   // Nothing changes at frozen vertices, neither their points nor the faces between them. They are never removed.
   bool is_frozen(const Index v) const { return v < m_is_frozen.size() && m_is_frozen[v]; }
   bool is_edge_frozen(Index h) const;
@@ -67,135 +62,22 @@ public:
     m_is_held[v] = 1;
   }
 
-  // The samples of some faces, for which `search_gathered()` searches where they are now.
-  template <class Faces>
-  void gather(const Faces& faces);
-  void gather_ring(Index v);
-  double search_gathered(double limit); // their cost, no more than something above the limit
-  void assign_gathered();
-  double sample_cost(const Index i) const { return sample_cost(i, m_assignment.assigned(i)); }
-
-  // A trial of many steps; `change()` is that of the cost of all samples since its begin.
-  struct Mark
-  {
-    Remeshed_surface::Mark surface;
-    std::size_t samples;
-    double change;
-  };
-  void begin_trial();
-  Mark mark() const { return {m_remeshed.mark(), m_assignment.mark(), m_change}; }
-  double change() const { return m_change; }
-  void undo_to(const Mark& mark);
-  void end_trial();
-
   // More pull makes better triangles and a larger RMS distance. Of .02, .04, .06 and .08 on seven models the mean of
   // the smallest angles was 48.4, 49.7, 50.4 and 50.9 degrees, the RMS distance .63, .69, .72 and .76 of the best of
   // other remeshers.
   static constexpr double usual_pull = .06;
 
 private:
-  double sample_cost(const Index i, const Assigned& assigned) const
-  {
-    return m_assignment.sample(i).weight * (m_cost.of(assigned.squared_distance) + assigned.penalty);
-  }
-  double gathered_cost() const;
   bool is_held(const Index v) const { return v < m_is_held.size() && m_is_held[v]; }
   Vector wished_step(Index v, const Vector& normal, const Vector& way, double pull);
   double flip_cost(Index h);
   bool is_flip_possible(Index h) const;
 
-  Remeshed_surface& m_remeshed;
-  Lean_triangulation& m_table;
-  Fit_assignment& m_assignment;
   Fit_probes& m_probes;
   const double m_longest_step;
   const std::vector<char>& m_is_frozen;
   std::vector<char> m_is_held;
-  Fit_cost m_cost;
-  double m_change = 0.;
-  bool m_is_trial = false;
-  std::vector<Index> m_gathered;
-  std::vector<Assigned> m_found; // where the gathered samples are now
 };
-
-inline void Fit_steps::begin_trial()
-{
-  m_remeshed.record();
-  m_assignment.record();
-  m_is_trial = true;
-  m_change = 0.;
-}
-
-inline void Fit_steps::undo_to(const Mark& mark)
-{
-  m_remeshed.undo_to(mark.surface);
-  m_assignment.undo_to(mark.samples);
-  m_change = mark.change;
-}
-
-inline void Fit_steps::end_trial()
-{
-  m_remeshed.forget();
-  m_assignment.forget();
-  m_is_trial = false;
-}
-
-inline double Fit_steps::root_mean_square() const
-{
-  double sum = 0., weight = 0.;
-  for(Index i = 0; i < m_assignment.number_of_samples(); ++i)
-    if(m_assignment.is_assigned(i))
-    {
-      sum += m_assignment.sample(i).weight * m_assignment.assigned(i).squared_distance;
-      weight += m_assignment.sample(i).weight;
-    }
-  return weight > 0. ? std::sqrt(sum / weight) : 0.;
-}
-
-template <class Faces>
-void Fit_steps::gather(const Faces& faces)
-{
-  m_gathered.clear();
-  for(const Index f : faces)
-    m_assignment.for_each_sample_of(f, [&](const Index i) { m_gathered.push_back(i); });
-}
-
-inline void Fit_steps::gather_ring(const Index v)
-{
-  m_gathered.clear();
-  m_table.for_each_outgoing(v, [&](const Index h) {
-    m_assignment.for_each_sample_of(Lean_triangulation::face(h), [&](const Index i) { m_gathered.push_back(i); });
-  });
-}
-
-inline double Fit_steps::gathered_cost() const
-{
-  double sum = 0.;
-  for(const Index i : m_gathered)
-    sum += sample_cost(i);
-  return sum;
-}
-
-inline double Fit_steps::search_gathered(const double limit)
-{
-  double sum = 0.;
-  m_found.clear();
-  for(std::size_t k = 0; k < m_gathered.size() && sum <= limit; ++k)
-  {
-    m_found.push_back(Fit_assignment::summary(m_assignment.search(m_gathered[k])));
-    sum += sample_cost(m_gathered[k], m_found.back());
-  }
-  return sum;
-}
-
-inline void Fit_steps::assign_gathered()
-{
-  for(std::size_t k = 0; k < m_gathered.size(); ++k)
-  {
-    m_change += sample_cost(m_gathered[k], m_found[k]) - sample_cost(m_gathered[k]);
-    m_assignment.assign(m_gathered[k], m_found[k]);
-  }
-}
 
 inline Remeshed_surface::Spot Fit_steps::spot_at(const Point& p, const Index start) const
 {
