@@ -247,48 +247,61 @@ inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t l
 
 // Samples at equal steps of area, placed in their faces by a sequence of low discrepancy: no random numbers, so that
 // the same meshes give the same figures.
-inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to, std::size_t number_of_samples)
+inline std::vector<Point> samples_on(const Mesh& mesh, std::size_t number_of_samples)
 {
-  std::vector<Mesh::Face_index> faces(from.faces().begin(), from.faces().end());
+  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   sort_in_space(faces, [&](Mesh::Face_index f) -> Point {
-    const auto p = corners(from, f);
+    const auto p = corners(mesh, f);
     return CGAL::centroid(p[0], p[1], p[2]);
   });
   std::vector<double> areas;
   double total_area = 0.;
   for(const auto f : faces)
   {
-    const auto p = corners(from, f);
+    const auto p = corners(mesh, f);
     areas.push_back(std::sqrt(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length()) / 2.);
     total_area += areas.back();
   }
-  One_sided_distance result;
-  double sum_of_squares = 0.;
+  std::vector<Point> samples;
+  samples.reserve(number_of_samples);
   double area_before = 0.;
-  std::size_t samples = 0;
   std::size_t index = 0;
   for(const auto f : faces)
   {
-    const auto p = corners(from, f);
+    const auto p = corners(mesh, f);
     area_before += areas[index++];
-    while(samples < number_of_samples &&
-          (static_cast<double>(samples) + .5) * total_area < area_before * static_cast<double>(number_of_samples))
+    while(samples.size() < number_of_samples && (static_cast<double>(samples.size()) + .5) * total_area <
+                                                    area_before * static_cast<double>(number_of_samples))
     {
-      ++samples;
       // the additive sequence of the plastic number, folded into the triangle
-      double u = std::fmod(.7548776662466927 * static_cast<double>(samples), 1.);
-      double v = std::fmod(.5698402909980532 * static_cast<double>(samples), 1.);
+      const auto number = static_cast<double>(samples.size() + 1);
+      double u = std::fmod(.7548776662466927 * number, 1.);
+      double v = std::fmod(.5698402909980532 * number, 1.);
       if(u + v > 1.)
       {
         u = 1. - u;
         v = 1. - v;
       }
-      const double distance = to.distance(p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]));
-      sum_of_squares += distance * distance;
-      result.maximum = (std::max)(result.maximum, distance);
+      samples.push_back(p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]));
     }
   }
-  result.root_mean_square = samples == 0 ? 0. : std::sqrt(sum_of_squares / static_cast<double>(samples));
+  return samples;
+}
+
+inline One_sided_distance one_sided_distance(const Mesh& from, Closest_point& to, std::size_t number_of_samples)
+{
+  std::vector<Point> samples = samples_on(from, number_of_samples);
+  CGAL::spatial_sort(samples.begin(), samples.end()); // those of one large face are anywhere in it
+  One_sided_distance result;
+  double sum_of_squares = 0.;
+  for(const Point& p : samples)
+  {
+    const double distance = to.distance(p);
+    sum_of_squares += distance * distance;
+    result.maximum = (std::max)(result.maximum, distance);
+  }
+  if(!samples.empty())
+    result.root_mean_square = std::sqrt(sum_of_squares / static_cast<double>(samples.size()));
   return result;
 }
 
