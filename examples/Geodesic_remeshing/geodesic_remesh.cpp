@@ -55,6 +55,8 @@ const std::string version = "geodesic_remesh " GEODESIC_REMESHING_VERSION " (CGA
 using Clock = std::conditional_t<std::is_convertible<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value,
                                  CGAL::Real_timer, CGAL::Timer>;
 
+using Edge_marks = Mesh::Property_map<Mesh::Edge_index, bool>;
+
 // One remeshing: the parameters are put together one by one, each only if it is asked for
 struct Job
 {
@@ -62,12 +64,13 @@ struct Job
   const Options& options;
   const Transfer& transfer;
   Mesh& output;
+  Edge_marks is_line; // of the output
   GR::Stage_results& stages;
 
   template <class NamedParameters>
   GR::Summary remesh_to_target(const NamedParameters& np) const
   {
-    const auto np_out = GR::parameters::vertex_location_map(transfer.locations());
+    const auto np_out = GR::parameters::vertex_location_map(transfer.locations()).edge_is_constrained_map(is_line);
     if(options.vertices)
       return CGAL::geodesic_remeshing(input, *options.vertices, output, np, np_out);
     if(options.faces)
@@ -106,7 +109,7 @@ Sizing sizing_by_curvature(Mesh& mesh, const Options& options)
 }
 
 GR::Summary remesh(command_line::Input& input, const Options& options, const Transfer& transfer, Mesh& output,
-                   GR::Stage_results& stages)
+                   Edge_marks is_line, GR::Stage_results& stages)
 {
   command_line::Progress progress(options.quiet);
   const auto np = GR::parameters::use_segmentation(options.use_segmentation)
@@ -116,7 +119,7 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
                       .do_project(!options.fit)
                       .concurrency_tag(CGAL::Parallel_if_available_tag())
                       .visitor(std::ref(progress));
-  const Job job{input.mesh, options, transfer, output, stages};
+  const Job job{input.mesh, options, transfer, output, is_line, stages};
   if(!options.contrast && options.sizing.empty())
     return job.remesh_with_features(np);
   const Sizing sizing = options.contrast
@@ -170,6 +173,12 @@ void measure(Report& report, const Mesh& input, const Mesh& output, const Option
     report.validity = check(input, output, options);
 }
 
+void tell_hint(const std::string& hint)
+{
+  if(!hint.empty())
+    std::cerr << "geodesic_remesh: hint: " << hint << "\n";
+}
+
 void run(const Options& options)
 {
   const command_line::Thread_limit thread_limit(options.threads);
@@ -186,19 +195,22 @@ void run(const Options& options)
     for(const std::string& repair : input.repairs)
       messages << "repaired the input: " << repair << "\n";
 
-  if(const std::string hint = options.quiet ? "" : command_line::hints(input.mesh, options); !hint.empty())
-    std::cerr << "geodesic_remesh: hint: " << hint << "\n";
+  if(!options.quiet)
+    tell_hint(command_line::hints(input.mesh, options));
 
   Mesh output;
+  const Edge_marks is_line = output.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
   Transfer transfer(options.transfer, file, input, output);
   GR::Stage_results stages;
   Report report;
   Clock timer;
   timer.start();
-  report.summary = remesh(input, options, transfer, output, stages);
+  report.summary = remesh(input, options, transfer, output, is_line, stages);
   report.is_fitted = options.fit;
   report.seconds = timer.time();
   transfer.run();
+  if(!options.quiet && !(options.feature_angle > 0.))
+    tell_hint(command_line::hint_at_sharp_edges(input.mesh, report.summary.edge_length, output, is_line));
 
   files.write(options.output,
               [&](std::ostream& out) { transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output); });

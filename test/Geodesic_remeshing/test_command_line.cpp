@@ -470,9 +470,50 @@ TEST_F(Command_line, empty_input)
 
 TEST_F(Command_line, input_that_is_not_triangulated)
 {
-  expect_bad_input(file("quad.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n"
-                                    "4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"),
-                   "face 0 has 4 vertices");
+  const std::string pyramid = file("quad.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n"
+                                               "4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
+  const auto outcome = run(pyramid + " " + output() + " --vertices 200");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find("triangulated 1 faces with more than three vertices"), std::string::npos);
+  EXPECT_NE(outcome.out.find("output         200       396      0      1"), std::string::npos);
+  fs::remove(output());
+  expect_failure(pyramid + " " + output() + " --vertices 200 --no-repair", 2, "face 0 has 4 vertices");
+  expect_bad_input(file("twice.off", "OFF\n5 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n6 0 1 2 0 1 4\n"),
+                   "face 0 has 6 vertices");
+}
+
+// The texture of a pyramid seen from above: its coordinates are those of the points, also where the base is divided.
+TEST_F(Command_line, texture_coordinates_of_a_quadrilateral_arrive)
+{
+  const std::string start =
+      file("p.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n"
+                    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                    "f 1/1 2/2 5/1\nf 4/4 3/3 2/2 1/1\nf 2/2 3/3 5/1\nf 3/3 4/4 5/1\nf 4/4 1/1 5/1\n");
+  ASSERT_EQ(run(start + " " + output("o.obj") + " --vertices 100 --quiet --transfer").status, 0);
+  std::ifstream in(output("o.obj"));
+  std::vector<std::array<double, 2>> points, texture;
+  std::size_t corners = 0;
+  for(std::string line; std::getline(in, line);)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    std::array<double, 2> at{};
+    if(word == "v" || word == "vt")
+    {
+      words >> at[0] >> at[1];
+      (word == "v" ? points : texture).push_back(at);
+    }
+    else if(word == "f")
+      for(; words >> word; ++corners)
+      {
+        const auto& p = points.at(std::stoul(word) - 1);
+        const auto& t = texture.at(std::stoul(word.substr(word.find('/') + 1)) - 1);
+        EXPECT_NEAR(p[0], t[0], 1e-5) << line;
+        EXPECT_NEAR(p[1], t[1], 1e-5) << line;
+      }
+  }
+  EXPECT_EQ(corners, 3 * 196u);
 }
 
 TEST_F(Command_line, input_with_a_boundary)
@@ -732,6 +773,9 @@ TEST_F(Command_line, hints_at_options_that_mend_the_input)
                             "(--fill-holes 3 closes them)\n");
   EXPECT_EQ(hint(hole, " --fill-holes 3"), "");
   EXPECT_EQ(hint(hole, " --quiet"), "");
+  EXPECT_EQ(hint(mesh("rotor"), ""),
+            "geodesic_remesh: hint: sharp edges of the input are cut off (--feature-angle 60 keeps them)\n");
+  EXPECT_EQ(hint(mesh("rotor"), " --feature-angle 60"), "");
 }
 
 // Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong

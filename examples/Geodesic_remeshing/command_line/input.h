@@ -14,6 +14,7 @@
 #include "repair.h"
 #include "soup.h"
 #include "stitch.h"
+#include "triangulate.h"
 
 #include <cstddef>
 #include <optional>
@@ -26,7 +27,7 @@ namespace command_line {
 struct Input
 {
   Mesh mesh;
-  std::size_t vertices_in_file;
+  std::size_t vertices_in_file, faces_in_file;
   std::vector<std::string> repairs; // what was done to make a mesh of it, in words
 };
 
@@ -77,41 +78,57 @@ inline Mesh make_mesh(const Soup& soup)
   return mesh;
 }
 
+// What is no mesh is made one, or refused with what is wrong, and where.
+inline void mend(Soup& soup, const Repair_options& options, std::vector<std::string>& repairs)
+{
+  if(options.stitch_tolerance > 0.)
+    tell(repairs, "stitched", stitch(soup, options.stitch_tolerance), "vertices of the boundary to others");
+  const auto wrong = fault(soup);
+  if(wrong && !options.do_repair)
+    throw Input_error(*wrong);
+  if(!options.do_repair || (!wrong && !has_open_seams(soup)))
+    return;
+  for(const std::string& done : repair(soup))
+    repairs.push_back(done);
+  if(const auto left = fault(soup))
+    throw Input_error(*left);
+}
+
+// Either the numbers that the file has for faces, or none of its numbers, if they are no longer those of the mesh
+inline void number_as_in_file(Mesh& mesh, const std::vector<std::size_t>& face, bool is_changed)
+{
+  if(is_changed)
+  {
+    auto index = mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value();
+    mesh.remove_property_map(index);
+    return;
+  }
+  auto index = mesh.add_property_map<Mesh::Face_index, std::size_t>(face_in_file).first;
+  for(const auto f : mesh.faces())
+    index[f] = face[f];
+}
+
 } // namespace internal
 
-// The triangle mesh of a file. What is no mesh is repaired where it can be, or refused with what is wrong, and where.
+// The triangle mesh of a file
 inline Input read_mesh(const Input_file& file, const Repair_options& options)
 {
   try
   {
     internal::Soup soup = internal::read_soup(file);
     internal::check_points_and_polygons(soup);
-    const std::size_t vertices_in_file = soup.points.size();
-    std::vector<std::string> repairs;
-    if(options.stitch_tolerance > 0.)
-      internal::tell(repairs, "stitched", internal::stitch(soup, options.stitch_tolerance),
-                     "vertices of the boundary to others");
-    const auto fault = internal::fault(soup);
-    if(fault && !options.do_repair)
-      throw Input_error(*fault);
-    if(options.do_repair && (fault || internal::has_open_seams(soup)))
-    {
-      for(const std::string& repair : internal::repair(soup))
-        repairs.push_back(repair);
-      if(const auto left = internal::fault(soup))
-        throw Input_error(*left);
-    }
-    Input input{internal::make_mesh(soup), vertices_in_file, {}};
+    const std::size_t vertices_in_file = soup.points.size(), faces_in_file = soup.polygons.size();
+    std::vector<std::string> divisions, repairs;
+    const std::vector<std::size_t> face = internal::triangulate(soup, options, divisions);
+    internal::mend(soup, options, repairs);
+    Input input{internal::make_mesh(soup), vertices_in_file, faces_in_file, {}};
     if(options.drop_parts > 0.)
       internal::tell(repairs, "dropped", internal::drop_small_parts(input.mesh, options.drop_parts), "small parts");
     if(options.fill_holes > 0)
       internal::tell(repairs, "filled", internal::fill_small_holes(input.mesh, options.fill_holes), "holes");
-    input.repairs = repairs;
-    if(!repairs.empty()) // these are no longer the vertices of the file
-    {
-      auto index = input.mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value();
-      input.mesh.remove_property_map(index);
-    }
+    internal::number_as_in_file(input.mesh, face, !repairs.empty());
+    input.repairs = divisions;
+    input.repairs.insert(input.repairs.end(), repairs.begin(), repairs.end());
     return input;
   }
   catch(const Input_error& error)

@@ -68,14 +68,15 @@ inline std::optional<Obj_corner> obj_corner(const std::string& word, std::size_t
   return Obj_corner{obj_index(word.substr(0, slash), vertices), obj_index(word.substr(slash + 1), textures)};
 }
 
-// The part of an OBJ file that is carried over. Corners are those of the mesh's faces, which are those of the file in
-// its order.
+// The part of an OBJ file that is carried over. Corners are those of the mesh's faces, which are those of the file or
+// parts of them, in its order.
 class Obj_reader
 {
 public:
   Obj_reader(const std::string& file_name, Mesh& mesh, Texture_map uv)
     : m_file_name(file_name), m_mesh(mesh),
-      m_index(mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value()), m_uv(uv),
+      m_index(mesh.property_map<Mesh::Vertex_index, std::size_t>(index_in_file).value()),
+      m_face_index(mesh.property_map<Mesh::Face_index, std::size_t>(face_in_file).value()), m_uv(uv),
       m_face(mesh.faces().begin())
   {}
 
@@ -116,24 +117,29 @@ private:
 
   void read_face(std::istringstream& words)
   {
+    std::vector<Obj_corner> corners;
     for(std::string word; words >> word;)
     {
       const auto corner = obj_corner(word, m_vertices, m_coordinates.size());
       m_has_texture = m_has_texture && corner;
       if(corner)
-        for(const auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(*m_face)))
-          if(m_index[m_mesh.target(h)] == corner->vertex)
-            m_uv[h] = m_coordinates[corner->texture];
+        corners.push_back(*corner);
     }
-    ++m_face;
+    for(; m_face != m_mesh.faces().end() && m_face_index[*m_face] == m_faces; ++m_face)
+      for(const auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(*m_face)))
+        for(const Obj_corner& corner : corners)
+          if(m_index[m_mesh.target(h)] == corner.vertex)
+            m_uv[h] = m_coordinates[corner.texture];
+    ++m_faces;
   }
 
   const std::string m_file_name;
   const Mesh& m_mesh;
   const Mesh::Property_map<Mesh::Vertex_index, std::size_t> m_index;
+  const Mesh::Property_map<Mesh::Face_index, std::size_t> m_face_index;
   Texture_map m_uv;
   Mesh::Face_range::iterator m_face;
-  std::size_t m_vertices = 0;
+  std::size_t m_vertices = 0, m_faces = 0;
   std::vector<Texture_coordinates> m_coordinates;
   std::vector<Color> m_colors;
   bool m_has_texture = true;

@@ -33,8 +33,10 @@ namespace command_line {
 using mesh_quality::Mesh;
 using mesh_quality::Point;
 
-// the vertex property of a mesh read: the number that the file has for it, which has vertices that no face uses as well
+// Properties of a mesh read, while its vertices are those of the file: the number that the file has for a vertex, which
+// has vertices that no face uses as well, and the one for a face, of which several triangles may have been made
 constexpr const char* index_in_file = "v:index_in_file";
+constexpr const char* face_in_file = "f:face_in_file";
 
 // exit status 2
 struct Input_error : std::runtime_error
@@ -157,9 +159,8 @@ inline void check_points_and_polygons(const Soup& soup)
   for(std::size_t f = 0; f < soup.polygons.size(); ++f)
   {
     const auto& polygon = soup.polygons[f];
-    if(polygon.size() != 3)
-      throw Input_error("is not triangulated: " + face_name(f) + " has " + std::to_string(polygon.size()) +
-                        " vertices");
+    if(polygon.size() < 3)
+      throw Input_error(face_name(f) + " has " + std::to_string(polygon.size()) + " vertices");
     for(const std::size_t v : polygon)
       if(v >= soup.points.size())
         throw Input_error(face_name(f) + " uses vertex " + std::to_string(v) + ", which does not exist");

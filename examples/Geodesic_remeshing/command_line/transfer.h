@@ -42,12 +42,12 @@ public:
   {
     if(!is_wanted)
       return;
-    if(!input.repairs.empty())
+    if(!input.mesh.property_map<Mesh::Face_index, std::size_t>(face_in_file))
       throw Input_error(file.name() + " had to be repaired: its properties do not belong to the mesh any more");
     if(file.format() == "obj")
       m_obj = read_obj_attributes(file, m_input, m_seams);
     else
-      read_ply(file, input.vertices_in_file);
+      read_ply(file, input);
   }
 
   static bool is_possible(const std::string& input_format, const std::string& output_format)
@@ -83,7 +83,7 @@ public:
   void write_obj(std::ostream& out) const { command_line::write_obj(out, m_output, m_output_obj); }
 
 private:
-  void read_ply(const Input_file& file, std::size_t vertices_in_file)
+  void read_ply(const Input_file& file, const Input& input)
   {
     const auto in = file.open();
     bool read = false;
@@ -96,8 +96,8 @@ private:
     {
       // as for any other damaged file
     }
-    if(!read || m_file.number_of_vertices() != vertices_in_file ||
-       m_file.number_of_faces() != m_input.number_of_faces())
+    if(!read || m_file.number_of_vertices() != input.vertices_in_file ||
+       m_file.number_of_faces() != input.faces_in_file)
       throw Input_error(file.name() + " has properties that cannot be read");
     for(const std::string& name : m_file.properties<Mesh::Vertex_index>())
       add_vertex_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
@@ -142,8 +142,9 @@ private:
     if(!in_file || name == "f:removed")
       return;
     auto values = m_input.add_property_map<Mesh::Face_index, Value>("f:carried:" + name).first;
-    for(const auto f : m_input.faces()) // in the order of the file
-      values[f] = (*in_file)[f];
+    const auto index = m_input.property_map<Mesh::Face_index, std::size_t>(face_in_file).value();
+    for(const auto f : m_input.faces())
+      values[f] = (*in_file)[Mesh::Face_index(static_cast<Mesh::size_type>(index[f]))];
     m_face_properties.push_back([this, name, values] {
       CGAL::Geodesic_remeshing::transfer_face_property(m_input, values, m_output, m_locations,
                                                        m_output.add_property_map<Mesh::Face_index, Value>(name).first);
