@@ -796,12 +796,12 @@ TEST(Regions_of_faces, of_an_output_with_far_fewer_faces_than_the_input)
   const auto of_surface = stages.regions.property_map<Face, int>("f:region").value();
   std::map<int, double> area, area_of_surface;
   for(Face f : output.faces())
-    area[region[f]] += PMP::face_area(f, output);
+    area[region[f]] += PMP::face_area(f, output) / PMP::area(output);
   for(Face f : stages.regions.faces())
-    area_of_surface[of_surface[f]] += PMP::face_area(f, stages.regions);
+    area_of_surface[of_surface[f]] += PMP::face_area(f, stages.regions) / PMP::area(stages.regions);
   EXPECT_EQ(area_of_surface.size(), summary.number_of_regions);
-  for(const auto& a : area_of_surface)
-    EXPECT_NEAR(area[a.first], a.second, .04 * PMP::area(input)) << a.first;
+  for(const auto& a : area_of_surface) // shares, since so few faces have a tenth less area than the surface
+    EXPECT_NEAR(area[a.first], a.second, .02) << a.first;
 }
 
 TEST(Regions_of_faces, in_place_and_with_lines)

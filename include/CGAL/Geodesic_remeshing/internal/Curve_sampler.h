@@ -34,20 +34,19 @@ namespace internal {
 class Curve_sampler
 {
 public:
-  // `edge_length` is the length the mesh aims at, `spacing` the one along the curves: a little different from it so
-  // that the number of samples is the wanted number of vertices.
   Curve_sampler(const Mesh& surface, const Working_surface& working, const Segmentation& segmentation,
-                const Level_curves& curves, const Line_samples& lines, double edge_length, double spacing,
-                std::size_t expected, const Concurrency concurrency = Concurrency())
+                const Level_curves& curves, const Line_samples& lines, double edge_length, std::size_t expected,
+                const Concurrency concurrency = Concurrency())
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_metric(working.mesh),
-      m_segmentation(segmentation), m_curves(curves), m_lines(lines), m_edge_length(edge_length), m_spacing(spacing),
+      m_segmentation(segmentation), m_curves(curves), m_lines(lines), m_edge_length(edge_length),
       m_concurrency(concurrency), m_samples(working.mesh, edge_length, expected), m_path(surface, working, lines),
       m_phase(m_path, m_samples, edge_length, samples_of_a_block, concurrency)
   {
     m_pins.resize(curves.points.size() > 0 ? curves.curves.size() : 0);
   }
 
-  std::vector<Sample> run(const std::vector<Vertex>& roots)
+  // What does not depend on the spacing. Returns the number of these samples beside those that curves go through.
+  std::size_t sample_off_curves(const std::vector<Vertex>& roots)
   {
     for(const Sample& sample : m_lines.samples)
       m_samples.add(sample);
@@ -57,6 +56,17 @@ public:
       add_vertex(v, true);
     for(const auto& bridge : m_segmentation.bridges)
       sample_bridge(bridge);
+    std::size_t result = m_samples.size();
+    for(const auto& pins : m_pins)
+      result -= pins.size();
+    return result;
+  }
+
+  // `spacing` along the curves: a little different from the edge length that the mesh aims at, so that the number of
+  // samples is the wanted number of vertices.
+  std::vector<Sample> sample_curves(double spacing)
+  {
+    m_spacing = spacing;
     for(std::size_t c = 0; c < m_curves.curves.size(); ++c)
       sample_curve(c);
     add_peaks();
@@ -277,7 +287,8 @@ private:
   const Segmentation& m_segmentation;
   const Level_curves& m_curves;
   const Line_samples& m_lines;
-  const double m_edge_length, m_spacing;
+  const double m_edge_length;
+  double m_spacing = 0.;
   const Concurrency m_concurrency;
   Sample_set m_samples;
   std::vector<std::vector<std::size_t>> m_pins; // of a curve: its points that are samples already

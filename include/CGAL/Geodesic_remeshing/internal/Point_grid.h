@@ -96,10 +96,11 @@ private:
           for(std::uint32_t i = m_first[bucket(g, x, y, z)]; i != none; i = m_entries[i].next)
           {
             const Point& q = m_entries[i].point;
-            if(m_entries[i].level != g.level || g.cell(q.x()) != x || g.cell(q.y()) != y || g.cell(q.z()) != z)
-              continue; // another cell in the same bucket
             const double d = CGAL::squared_distance(p, q);
-            if(d <= limit)
+            if(d > limit)
+              continue;
+            // another cell may share the bucket
+            if(m_entries[i].level == g.level && g.cell(q.x()) == x && g.cell(q.y()) == y && g.cell(q.z()) == z)
               visit(m_entries[i].id, q, d);
           }
   }

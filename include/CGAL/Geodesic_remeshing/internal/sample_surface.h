@@ -45,22 +45,20 @@ inline std::vector<Sample> sample_surface(const Mesh& surface, const Working_sur
 {
   const std::vector<double> lengths = lengths_of_curves(working.mesh, curves);
   const double wanted = static_cast<double>(number);
-  // what the curves are to have: less the samples off the curves, more those that are refused for being too near to
-  // another
-  double on_curves = wanted;
+  double refused = 0.; // less those on peaks
   std::vector<Sample> best;
   for(int attempt = 0; attempt < 4; ++attempt)
   {
-    const double spacing = spacing_for(lengths, edge_length, on_curves);
+    Curve_sampler sampler(surface, working, segmentation, curves, lines, edge_length, number, concurrency);
+    const double off_curves = static_cast<double>(sampler.sample_off_curves(roots));
     std::vector<Sample> samples =
-        Curve_sampler(surface, working, segmentation, curves, lines, edge_length, spacing, number, concurrency)
-            .run(roots);
+        sampler.sample_curves(spacing_for(lengths, edge_length, wanted - off_curves + refused));
     const double excess = static_cast<double>(samples.size()) - wanted;
     if(best.empty() || std::abs(excess) < std::abs(static_cast<double>(best.size()) - wanted))
       best.swap(samples);
-    if(std::abs(excess) < .003 * wanted)
+    if(std::abs(excess) < .001 * wanted)
       break;
-    on_curves -= excess;
+    refused -= excess;
   }
   return best;
 }
