@@ -776,6 +776,7 @@ TEST_F(Command_line, hints_at_options_that_mend_the_input)
   EXPECT_EQ(hint(mesh("rotor"), ""),
             "geodesic_remesh: hint: sharp edges of the input are cut off (--feature-angle 60 keeps them)\n");
   EXPECT_EQ(hint(mesh("rotor"), " --feature-angle 60"), "");
+  EXPECT_EQ(hint(mesh("nefertiti"), ""), ""); // a long boundary is kept anyway
 }
 
 // Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong

@@ -190,6 +190,8 @@ inline std::pair<double, double> lengths_of_sharp_edges(const Mesh& mesh, double
   std::vector<char> is_sharp(mesh.number_of_edges(), 0);
   CGAL::Polygon_mesh_processing::detect_sharp_edges(
       mesh, sharp_angle, boost::make_iterator_property_map(is_sharp.begin(), CGAL::get(boost::edge_index, mesh)));
+  for(const auto e : mesh.edges())
+    is_sharp[e.idx()] = is_sharp[e.idx()] && !mesh.is_border(e); // which are kept anyway
   Disjoint_sets rows(mesh.number_of_edges());
   for(const auto v : mesh.vertices())
   {
