@@ -326,7 +326,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Stages_work work{input.mesh, constraints, options, wants_regions};
   auto run = std::make_unique<Stages_run>();
   run_stages(work, target, goal, clock, kept, *run);
-  if(options.do_project && !run->improvement.conflicts.empty())
+  if(options.do_project && !run->conflicts.empty())
     avoid_conflicts(work, number_as<Target>(target, run->number_of_vertices), wishes, sizing_limits_of(np_in), clock,
                     kept, run);
   Placed_mesh& remeshed = run->remeshed;

@@ -134,7 +134,7 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
 inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)
 {
   const Conflicts conflicts = find_conflicts(m_remeshed);
-  if(conflicts.number == 0 || conflicts.number > 80 + number_of_vertices / 200 ||
+  if(conflicts.number == 0 || conflicts.number > most_conflicts(number_of_vertices) ||
      is_input_in_conflict(m_remeshed.walker().surface(), places_of(m_remeshed, conflicts)))
     return {};
   if(m_table.number_of_vertices() != number_of_vertices)

@@ -95,6 +95,12 @@ inline Conflicts find_conflicts(const Remeshed_surface& remeshed)
   return result;
 }
 
+// More are not a few places that need more vertices.
+inline std::size_t most_conflicts(const std::size_t number_of_vertices)
+{
+  return 80 + number_of_vertices / 200;
+}
+
 // Of all faces
 inline double worst_badness_of(const Remeshed_surface& remeshed)
 {

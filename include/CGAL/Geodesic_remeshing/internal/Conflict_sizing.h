@@ -15,11 +15,14 @@
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,29 +30,41 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-inline Bbox_3 box_of(const Conflict_place& place)
+// Calls `visit(s, place)` for all of the surface's simplices and all conflicts whose boxes overlap, in any order.
+template <class Simplices, class Box_of, class Visit>
+void for_each_near(const Simplices& simplices, const Box_of& box_of, const std::vector<Conflict_place>& conflicts,
+                   const Visit& visit)
 {
-  const Vector way(place.radius, place.radius, place.radius);
-  return (place.center - way).bbox() + (place.center + way).bbox();
+  using Simplex = std::decay_t<decltype(*simplices.begin())>;
+  using Simplex_box = Box_intersection_d::Box_with_info_d<double, 3, Simplex>;
+  using Place_box = Box_intersection_d::Box_with_info_d<double, 3, const Conflict_place*>;
+  std::vector<Place_box> places;
+  Bbox_3 all;
+  for(const Conflict_place& place : conflicts)
+  {
+    const Vector way(place.radius, place.radius, place.radius);
+    places.emplace_back((place.center - way).bbox() + (place.center + way).bbox(), &place);
+    all += places.back().bbox();
+  }
+  std::vector<Simplex_box> boxes; // of those near any, most often few
+  for(const Simplex s : simplices)
+    if(const Bbox_3 box = box_of(s); do_overlap(box, all))
+      boxes.emplace_back(box, s);
+  box_intersection_d(boxes.begin(), boxes.end(), places.begin(), places.end(),
+                     [&](const Simplex_box& a, const auto& b) { visit(a.info(), *b.info()); });
 }
 
 // Whether the input itself intersects where there are conflicts: then no triangles are small enough.
 inline bool is_input_in_conflict(const Mesh& surface, const std::vector<Conflict_place>& conflicts)
 {
-  const auto box_of_face = [&](const Face f) {
+  const auto box_of = [&](const Face f) {
     const auto v = vertices_of(surface, f);
     return surface.point(v[0]).bbox() + surface.point(v[1]).bbox() + surface.point(v[2]).bbox();
   };
-  std::vector<Bbox_3> boxes;
-  for(const Conflict_place& place : conflicts)
-    boxes.push_back(box_of(place));
   std::vector<Face> near;
-  for(const Face f : surface.faces())
-  {
-    const Bbox_3 box = box_of_face(f);
-    if(std::any_of(boxes.begin(), boxes.end(), [&](const Bbox_3& b) { return do_overlap(box, b); }))
-      near.push_back(f);
-  }
+  for_each_near(surface.faces(), box_of, conflicts, [&](const Face f, const Conflict_place&) { near.push_back(f); });
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(near, surface, std::back_inserter(pairs));
   return !pairs.empty();
@@ -77,10 +92,11 @@ public:
       for(const Face f : place.faces)
         for(const Vertex v : vertices_of(m_surface, f))
           is_near[v] = 1;
-    for(const Vertex v : m_surface.vertices())
-      is_near[v] = is_near[v] || std::any_of(conflicts.begin(), conflicts.end(), [&](const Conflict_place& place) {
-                     return squared_distance(m_surface.point(v), place.center) <= CGAL::square(place.radius);
-                   });
+    const auto box_of = [&](const Vertex v) { return m_surface.point(v).bbox(); };
+    for_each_near(m_surface.vertices(), box_of, conflicts, [&](const Vertex v, const Conflict_place& place) {
+      if(squared_distance(m_surface.point(v), place.center) <= CGAL::square(place.radius))
+        is_near[v] = 1;
+    });
     for(std::size_t v = 0; v < is_near.size(); ++v)
       m_wishes[v] *= is_near[v] ? .6 : 1.;
   }

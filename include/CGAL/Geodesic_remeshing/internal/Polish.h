@@ -41,8 +41,16 @@ public:
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_keep_regular(keep_regular)
   {}
 
-  // Treats every triangle worse than the given badness once, the worst first. Returns the number of them.
+  // Treats every triangle worse than the given badness once, the worst first, but of very many no more than `most()`.
+  // Returns the number of them.
   std::size_t run(double badness, bool do_collapse);
+
+  // Whether to go on after runs with these results, the last two: not where a large part of the triangles stays bad, on
+  // limbs and spikes thinner than edges are long, to which no run makes a difference but that of its time.
+  bool is_worth_going_on(const std::size_t number, const std::size_t number_before) const
+  {
+    return number > 0 && (number <= most() || (number <= 2 * most() && number <= number_before - number_before / 5));
+  }
 
   // Moves vertices around such triangles only, and not where triangles come to intersect, of whatever sheet.
   void run_apart(double badness);
@@ -74,6 +82,10 @@ private:
   template <class Vertices, class Do_intersect>
   bool keep_if_better(const Vertices& vertices, double before, const Do_intersect& do_intersect);
   double face_badness(Index f) const;
+  std::size_t most() const
+  {
+    return (std::max)(std::size_t(200), std::size_t(m_table.number_of_vertices()) / 4); // an eighth of the faces
+  }
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
@@ -111,8 +123,9 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
 {
   static const double poor = badness_of_angle(30.);
   const std::vector<Bad> bad = worse_than(badness);
-  for(const Bad& x : bad)
+  for(std::size_t i = 0; i < (std::min)(bad.size(), most()); ++i)
   {
+    const Bad& x = bad[i];
     const auto is_mended = [&] { return m_table.is_removed_face(x.f) || face_badness(x.f) <= badness; };
     const auto try_each = [&](auto&& better) {
       for(Index h = 4 * x.f; h < 4 * x.f + 3 && !is_mended(); ++h)

@@ -46,13 +46,6 @@ struct Improvement_parameters
   Block_size block_size = Block_size();
 };
 
-// What is left to be wished
-struct Improvement_result
-{
-  std::vector<Conflict_place> conflicts; // faces that intersect or are turned over
-  double worst_badness = 0.;
-};
-
 // Rounds of flips and steps. After the first, when the energies mean something, and before the others, which mend what
 // it does, the number of vertices is set.
 template <class Progress>
@@ -97,6 +90,16 @@ inline void step_after_sweep(Remeshed_surface& remeshed, const Sweeps sweeps, co
     relax_with_quadrics(remeshed, planes);
 }
 
+// Where limbs and spikes are thinner than edges are long, many vertices are irregular and no flips leave good angles.
+inline bool are_many_irregular(const Remeshed_surface& remeshed)
+{
+  const Lean_triangulation& table = remeshed.connectivity();
+  std::size_t number = 0;
+  for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v)
+    number += !table.is_removed(v) && remeshed.energy().is_irregular(v);
+  return 3 * number > table.number_of_vertices();
+}
+
 // Sweeps of defect moves until they gain next to nothing, since each costs steps over the whole mesh. The
 // short ways come first: a pair that glides far leaves the mesh sheared along its way, so the steps between the sweeps
 // are what the angles live on.
@@ -113,7 +116,7 @@ bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const Swee
     step_after_sweep(remeshed, which, planes);
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;
-    if(gain <= least_gain && depth == last_depth)
+    if(gain <= least_gain && (depth == last_depth || are_many_irregular(remeshed)))
       break;
   }
   return true;
@@ -162,14 +165,20 @@ inline Search_effort search_effort(const Remeshed_surface& remeshed, const std::
 // last, only moves and flips. Returns whether anything was to be done.
 inline bool mend_angles(Remeshed_surface& remeshed, const Improvement_parameters& parameters)
 {
+  std::size_t before = (std::numeric_limits<std::size_t>::max)();
   for(int round = 0; round < 3; ++round)
   {
-    if(Polish(remeshed).run(badness_of_angle(remeshed.has_lines() ? 30. : 34.), true) == 0)
+    Polish polish(remeshed);
+    const std::size_t number = polish.run(badness_of_angle(remeshed.has_lines() ? 30. : 34.), true);
+    if(number == 0)
       return round > 0;
     Vertex_count(remeshed, parameters.edge_length, remeshed.has_lines() ? 10. : 30.)
         .reach(parameters.number_of_vertices);
     flip_to_regular_valences(remeshed);
     relax(remeshed);
+    if(!polish.is_worth_going_on(number, before))
+      break;
+    before = number;
   }
   return true;
 }
@@ -253,8 +262,14 @@ inline void polish(Remeshed_surface& remeshed, const std::size_t number_of_verti
 {
   const auto polish = [&](const double angle, const bool keep_regular) {
     constexpr int rounds = 3;
-    for(int i = 0; i < rounds && Polish(remeshed, keep_regular).run(badness_of_angle(angle), false) > 0; ++i)
-      ;
+    std::size_t before = (std::numeric_limits<std::size_t>::max)(), number = 0;
+    for(int i = 0; i < rounds; ++i, before = number)
+    {
+      Polish polish(remeshed, keep_regular);
+      number = polish.run(badness_of_angle(angle), false);
+      if(!polish.is_worth_going_on(number, before))
+        break;
+    }
   };
   if(is_moderate(remeshed, number_of_vertices))
     polish(41., true);
@@ -283,6 +298,8 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   {
     Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
     conflicts = find_conflicts(remeshed);
+    if(conflicts.number > most_conflicts(parameters.number_of_vertices))
+      conflicts = {};
   }
   go_on(1.);
   return conflicts;
@@ -294,11 +311,13 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
 // such edges that is not pinned slides along them. Of the `constraints` the corners tell where lines end.
 // `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is a valid
 // mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
-// Without iterations only the number of vertices is set, to show what the stages before made.
+// Without iterations only the number of vertices is set, to show what the stages before made. Returns where faces that
+// intersect or are turned over are left.
 template <class Progress>
-Improvement_result improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
-                           Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
-                           const Constraints& constraints, const Improvement_parameters& parameters, Progress&& go_on)
+std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
+                                    Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
+                                    const Constraints& constraints, const Improvement_parameters& parameters,
+                                    Progress&& go_on)
 {
   const Surface_walker walker(surface, constraints, parameters.block_size.concurrency);
   Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained, parameters.block_size);
@@ -308,7 +327,7 @@ Improvement_result improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Ve
   else
     conflicts = improve(remeshed, parameters, go_on);
   write_back(remeshed, out, place, pinned, constrained);
-  return {places_of(remeshed, conflicts), worst_badness_of(remeshed)};
+  return places_of(remeshed, conflicts);
 }
 
 } // namespace internal

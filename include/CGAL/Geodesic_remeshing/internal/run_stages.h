@@ -53,7 +53,7 @@ struct Stages_run
   const Working_surface* pieces = nullptr; // one of these
   Segmentation segmentation;
   Placed_mesh remeshed;
-  Improvement_result improvement;
+  std::vector<Conflict_place> conflicts; // that are left
   std::size_t number_of_regions = 0, number_of_curves = 0, number_of_strips = 0;
 };
 
@@ -129,31 +129,50 @@ void run_stages(const Stages_work& work, const Target& target, const Goal& goal,
   clock.stage("improvement", .55);
   bool goes_on = true;
   const double end_of_improvement = options.do_project ? .95 : .75;
-  run.improvement = improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
-                            options.improvement(n, edge_length), [&](double done) {
-                              return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done);
-                            });
+  run.conflicts = improve(surface, remeshed.mesh, remeshed.place, remeshed.pinned, remeshed.constrained, constraints,
+                          options.improvement(n, edge_length), [&](double done) {
+                            return goes_on = goes_on && clock.go_on(.55 + (end_of_improvement - .55) * done);
+                          });
   if(!goes_on)
     clock.give_up();
   check_count(remeshed.mesh, n);
 }
 
-// Fewer conflicts at the cost of some angles, but not of any
-inline bool is_better(const Improvement_result& result, const Improvement_result& than)
+// What is asked of the angles of a run's mesh
+struct Angles
 {
-  static const double poor = badness_of_angle(10.);
-  return result.conflicts.size() < than.conflicts.size() &&
-         result.worst_badness <= (std::max)(than.worst_badness, poor);
+  double worst = 0.;     // badness
+  bool are_poor = false; // where limbs are thinner than edges are long
+};
+
+inline Angles angles_of(const Mesh& mesh)
+{
+  static const double poor = badness_of_angle(30.);
+  Angles result;
+  std::size_t number = 0;
+  for(const Face f : mesh.faces())
+  {
+    const auto v = vertices_of(mesh, f);
+    const Vector a = mesh.point(v[1]) - mesh.point(v[0]), b = mesh.point(v[2]) - mesh.point(v[0]);
+    const double badness = triangle_badness(a.squared_length(), b.squared_length(), (b - a).squared_length(),
+                                            cross_product(a, b).squared_length());
+    result.worst = (std::max)(result.worst, badness);
+    number += badness > poor;
+  }
+  result.are_poor = 16 * number > mesh.number_of_faces();
+  return result;
 }
 
 // Where triangles as large as these are in conflict smaller ones are tried, at the cost of others, until there are no
-// conflicts left or that does not help any more. `wishes` and `limits` are those of the first run, which is the best so
-// far, and the number of vertices remains its own.
+// conflicts left or that does not help any more: fewer conflicts at the cost of some angles, but not of any. `wishes`
+// and `limits` are those of the first run, which is the best so far, and the number of vertices remains its own.
 template <class Target, class Clock>
 void avoid_conflicts(const Stages_work& work, const Target& target, const std::vector<double>& wishes,
                      const Sizing_limits& limits, Clock& clock, Stage_results* kept, std::unique_ptr<Stages_run>& best)
 {
-  std::vector<Conflict_place> conflicts = best->improvement.conflicts;
+  static const double poor = badness_of_angle(10.);
+  std::vector<Conflict_place> conflicts = best->conflicts;
+  Angles angles = angles_of(best->remeshed.mesh);
   const std::size_t n = best->number_of_vertices;
   const int runs = n <= 4000 ? 6 : n <= 20000 ? 3 : 2; // each takes its time
   Conflict_sizing sizing(work.surface, wishes, limits);
@@ -174,9 +193,15 @@ void avoid_conflicts(const Stages_work& work, const Target& target, const std::v
         throw;
       break;
     }
-    conflicts = run->improvement.conflicts;
-    if(!is_better(run->improvement, best->improvement))
+    conflicts = run->conflicts;
+    const Angles others = angles_of(run->remeshed.mesh);
+    if(conflicts.size() >= best->conflicts.size() || others.worst > (std::max)(angles.worst, poor))
+    {
+      if(angles.are_poor)
+        break;
       continue;
+    }
+    angles = others;
     best = std::move(run);
     if(kept != nullptr)
       *kept = std::move(stages);
