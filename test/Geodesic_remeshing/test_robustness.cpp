@@ -289,6 +289,15 @@ TEST(Hard_surface, thin_walls_and_folds)
   EXPECT_LE(blemished.size(), cases.size() / 3) << testing::PrintToString(blemished);
 }
 
+// On sharp creases a corner is as near to a face that looks away as to its own: that alone turns no face over.
+TEST(Hard_surface, corners_on_creases)
+{
+  const Mesh input = read_model("bull");
+  Mesh output;
+  CGAL::geodesic_remeshing(input, 2000, output, gp::features_angle_bound(60.));
+  EXPECT_EQ(GR::is_valid_remeshing(input, output, gp::line_tolerance(1.)).flipped_faces, 0u);
+}
+
 // Where the stages are run once more, to have smaller triangles in such places, the visitor can stop them as well; it
 // is told of no stage twice, and never of less progress.
 TEST(Hard_surface, visitor_where_stages_are_repeated)

@@ -36,22 +36,22 @@ void for_each_near(const Simplices& simplices, const Box_of& box_of, const std::
                    const Visit& visit)
 {
   using Simplex = std::decay_t<decltype(*simplices.begin())>;
-  using Simplex_box = Box_intersection_d::Box_with_info_d<double, 3, Simplex>;
-  using Place_box = Box_intersection_d::Box_with_info_d<double, 3, const Conflict_place*>;
-  std::vector<Place_box> places;
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Box> places, boxes; // the latter of those near any, most often few
   Bbox_3 all;
-  for(const Conflict_place& place : conflicts)
+  for(std::size_t i = 0; i < conflicts.size(); ++i)
   {
-    const Vector way(place.radius, place.radius, place.radius);
-    places.emplace_back((place.center - way).bbox() + (place.center + way).bbox(), &place);
+    const Vector way(conflicts[i].radius, conflicts[i].radius, conflicts[i].radius);
+    places.emplace_back((conflicts[i].center - way).bbox() + (conflicts[i].center + way).bbox(), i);
     all += places.back().bbox();
   }
-  std::vector<Simplex_box> boxes; // of those near any, most often few
   for(const Simplex s : simplices)
     if(const Bbox_3 box = box_of(s); do_overlap(box, all))
       boxes.emplace_back(box, s);
   box_intersection_d(boxes.begin(), boxes.end(), places.begin(), places.end(),
-                     [&](const Simplex_box& a, const auto& b) { visit(a.info(), *b.info()); });
+                     [&](const Box& simplex, const Box& place) {
+                       visit(Simplex(static_cast<Mesh::size_type>(simplex.info())), conflicts[place.info()]);
+                     });
 }
 
 // Whether the input itself intersects where there are conflicts: then no triangles are small enough.

@@ -216,10 +216,22 @@ private:
     return cross_product(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0]));
   }
 
+  // Whether all of the input where it is nearest to p looks the other way: at a crease, where features are, that is
+  // several faces, of which the search finds any one.
   bool is_against(const Vector& normal, const Point& p) const
   {
-    return !m_input_faces.empty() &&
-           normal * normal_of(m_input, m_input_faces.closest_point_and_primitive(p).second) < 0.;
+    if(m_input_faces.empty())
+      return false;
+    const auto is_face_against = [&](const Face f) { return normal * normal_of(m_input, f) < 0.; };
+    const auto nearest = m_input_faces.closest_point_and_primitive(p);
+    if(!is_face_against(nearest.second))
+      return false;
+    const double near = 1e-9 * m_diagonal; // as vertices are
+    const Vector way(near, near, near);
+    std::vector<Face> faces;
+    m_input_faces.all_intersected_primitives(Kernel::Iso_cuboid_3(nearest.first - way, nearest.first + way),
+                                             std::back_inserter(faces));
+    return std::all_of(faces.begin(), faces.end(), is_face_against);
   }
 
   double relative(double distance) const { return m_diagonal > 0. ? distance / m_diagonal : distance; }
