@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <iomanip>
@@ -167,6 +168,24 @@ TEST(Hard_surface, spikes_one_triangle_wide)
     expect_valid(input, number);
 }
 
+#ifdef NDEBUG
+// Where most triangles are needles, whatever is done, there is an end to trying: it took 500 times as long.
+TEST(Hard_surface, many_spikes_take_no_minutes)
+{
+  const auto seconds = [](const Mesh& input) {
+    Mesh output;
+    const std::clock_t start = std::clock();
+    CGAL::geodesic_remeshing(input, 300, output);
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  const Mesh smooth = made::sphere(5);
+  Mesh spiky = smooth;
+  for(unsigned i = 0; i < spiky.number_of_vertices(); i += 100)
+    spiky.point(Vertex(i)) = CGAL::ORIGIN + 4. * (spiky.point(Vertex(i)) - CGAL::ORIGIN);
+  EXPECT_LT(seconds(spiky), 150. * seconds(smooth));
+}
+#endif
+
 TEST(Hard_surface, hundred_times_as_many_vertices)
 {
   expect_valid(made::octahedron(), 600);
@@ -287,6 +306,32 @@ TEST(Hard_surface, thin_walls_and_folds)
       blemished.push_back(c.name);
   }
   EXPECT_LE(blemished.size(), cases.size() / 3) << testing::PrintToString(blemished);
+}
+
+// Handles, thin places, corners and lines need more vertices than the bounds that a refusal tells: it names a number
+// that can be reached, too.
+TEST(Hard_surface, refusals_name_a_number_that_can_be_reached)
+{
+  for(const char* name : {"anchor", "blobby_3cc", "boeing", "couplingdown", "eight", "mask_cone", "pig"})
+  {
+    SCOPED_TRACE(name);
+    const Mesh input = read_model(name);
+    Mesh output;
+    std::string message;
+    try
+    {
+      CGAL::geodesic_remeshing(input, 4, output);
+    }
+    catch(const GR::Remeshing_error& error)
+    {
+      message = error.what();
+    }
+    const std::string before = "; try ";
+    ASSERT_NE(message.find(before), std::string::npos) << message;
+    const std::size_t number = std::stoul(message.substr(message.find(before) + before.size()));
+    EXPECT_NO_THROW(CGAL::geodesic_remeshing(input, number, output)) << message;
+    EXPECT_EQ(output.number_of_vertices(), number);
+  }
 }
 
 // On sharp creases a corner is as near to a face that looks away as to its own: that alone turns no face over.

@@ -17,6 +17,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_count.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
+#include <CGAL/Geodesic_remeshing/internal/find_middle.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,7 +67,7 @@ inline bool Conflict_refinement::divide_longest_edge(const Index f)
     if(length(h) > length(longest))
       longest = h;
   Remeshed_surface::Spot middle;
-  if(!m_remeshed.find_middle(longest, middle))
+  if(!find_middle(m_remeshed, longest, middle))
     return false;
   const Index w = m_table.split_edge(longest);
   m_remeshed.put(w, middle);

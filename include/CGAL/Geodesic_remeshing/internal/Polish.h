@@ -10,8 +10,9 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_POLISH_H
 
-#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/do_faces_intersect.h>
+#include <CGAL/Geodesic_remeshing/internal/find_middle.h>
 #include <CGAL/Geodesic_remeshing/internal/has_intersections_anywhere.h>
 
 #include <boost/container/small_vector.hpp>
@@ -249,7 +250,7 @@ inline bool Polish::better_by_collapse(const Index h)
 inline bool Polish::better_by_split(const Index h)
 {
   Remeshed_surface::Spot middle;
-  if((m_remeshed.has_lines() && !m_table.is_constrained(h)) || !m_remeshed.find_middle(h, middle))
+  if((m_remeshed.has_lines() && !m_table.is_constrained(h)) || !find_middle(m_remeshed, h, middle))
     return false;
   const Index o = m_table.opposite(h), a = m_table.source(h), b = m_table.target(h), c = m_table.apex(h);
   const Index d = o == Lean_triangulation::none ? a : m_table.apex(o);

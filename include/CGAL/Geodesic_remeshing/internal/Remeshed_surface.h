@@ -91,7 +91,6 @@ public:
   {
     return {m_walker.point(place), place, m_walker.normal_on_line(place), m_metric.size(place)};
   }
-  bool find_middle(Index h, Spot& middle) const; // of an edge, on its line if it is on one
   // Tips are pinned, then kept on a leash: a vertex that nothing can move stops the pairs of irregular vertices that
   // glide, one that is free leaves its tip and does not come back. Where nothing else helps they are let go.
   void pin_tip(const Index v) { m_hold[v] = Hold::tip; }
@@ -268,37 +267,6 @@ inline bool Remeshed_surface::is_turned_between_lines(const std::array<const Spo
       return true;
   }
   return false;
-}
-
-inline bool Remeshed_surface::find_middle(const Index h, Spot& middle) const
-{
-  Index from = m_connectivity.source(h), to = m_connectivity.target(h), beside = to;
-  if(m_connectivity.is_constrained(h))
-  {
-    if(m_keeps_lines)
-      return false;
-    if(is_fixed(from))
-      std::swap(from, to);
-    for_each_neighbor_on_line(from, [&](const Index w) { beside = w == to ? beside : w; });
-    const Place place = m_lines.middle(m_spots[from].place, m_spots[to].place, m_spots[beside].place);
-    if(place.face.is_valid())
-      middle = spot_on_line(place);
-    return place.face.is_valid();
-  }
-  // Into the face, of those beside the line, from which the way leads there.
-  const Vector way = .5 * (m_spots[to].point - m_spots[from].point);
-  double least = infinity;
-  m_walker.for_each_face_at(m_spots[from].place, [&](const Face f) {
-    const Place place = m_walker.walk({f, coordinates_in(m_walker.surface(), m_spots[from].place, f)}, way);
-    const Point point = m_walker.point(place);
-    const double distance = squared_distance(point, m_spots[from].point + way);
-    if(distance < least)
-    {
-      least = distance;
-      middle = {point, place, m_walker.normal(place.face), m_metric.size(place)};
-    }
-  });
-  return least < infinity;
 }
 
 } // namespace internal

@@ -104,12 +104,15 @@ struct Vertex_budget
   double curve_edge_length; // that of rows of triangles at the distance of the curves
 };
 
+// What is needed are bounds from below: a number that can be reached is named with them. Of a hundred models all did
+// with three times as many.
 inline void check_number_of_vertices(std::size_t number, std::size_t topology, std::size_t lines)
 {
+  const std::size_t enough = 3 * (std::max)(topology, lines);
   const auto reject_number = [&](std::size_t needed, const std::string& what) {
     if(number < needed)
       throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: " + what + " " +
-                            std::to_string(needed));
+                            std::to_string(needed) + " at the least; try " + std::to_string(enough));
   };
   reject_number(lines, "the corners and lines of the input need");
   reject_number(topology, "the topology of the input needs");

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_changes.h>
+#include <CGAL/Geodesic_remeshing/internal/find_middle.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
 #include <algorithm>
@@ -173,7 +174,7 @@ inline bool Vertex_count::split_edge(const Index h)
 {
   const std::array<Index, 4> around = corners(h);
   Remeshed_surface::Spot middle;
-  if(!m_remeshed.find_middle(h, middle))
+  if(!find_middle(m_remeshed, h, middle))
     return false;
   const double before = worst_around(around);
   const Index w = m_table.split_edge(h);

@@ -10,8 +10,8 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_HAS_INTERSECTIONS_ANYWHERE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_HAS_INTERSECTIONS_ANYWHERE_H
 
-#include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/do_faces_intersect.h>
 
 #include <algorithm>
 #include <utility>

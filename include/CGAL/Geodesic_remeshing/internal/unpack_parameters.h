@@ -199,9 +199,9 @@ inline void check_count(const Mesh& mesh, std::size_t wanted)
     return;
   const std::string what =
       "geodesic remeshing: could not reach " + std::to_string(wanted) + " vertices, only " + std::to_string(number);
-  if(number > wanted) // a quarter more was seen to be enough
+  if(number > wanted) // half as many more were seen to be enough
     throw Remeshing_error(what + ": the handles, thin places and lines of the input need more; try " +
-                          std::to_string(number + number / 4 + 1));
+                          std::to_string(number + number / 2 + 1));
   throw Remeshing_error(what + ": no face can be divided without one of no area; try " + std::to_string(number));
 }
 
