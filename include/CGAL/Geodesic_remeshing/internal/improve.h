@@ -90,14 +90,14 @@ inline void step_after_sweep(Remeshed_surface& remeshed, const Sweeps sweeps, co
     relax_with_quadrics(remeshed, planes);
 }
 
-// Where limbs and spikes are thinner than edges are long, many vertices are irregular and no flips leave good angles.
-inline bool are_many_irregular(const Remeshed_surface& remeshed)
+// Where limbs and spikes are thinner than edges are long, most vertices are irregular and no flips leave good angles.
+inline bool are_most_irregular(const Remeshed_surface& remeshed)
 {
   const Lean_triangulation& table = remeshed.connectivity();
   std::size_t number = 0;
   for(Lean_triangulation::Index v = 0; v < table.vertex_slots(); ++v)
     number += !table.is_removed(v) && remeshed.energy().is_irregular(v);
-  return 3 * number > table.number_of_vertices();
+  return 2 * number > table.number_of_vertices();
 }
 
 // Sweeps of defect moves until they gain next to nothing, since each costs steps over the whole mesh. The
@@ -116,7 +116,7 @@ bool remove_defects(Remeshed_surface& remeshed, Defect_moves&& moves, const Swee
     step_after_sweep(remeshed, which, planes);
     if(!go_on(static_cast<double>(i + 1) / sweeps))
       return false;
-    if(gain <= least_gain && (depth == last_depth || are_many_irregular(remeshed)))
+    if(gain <= least_gain && (depth == last_depth || are_most_irregular(remeshed)))
       break;
   }
   return true;

@@ -159,7 +159,7 @@ inline Angles angles_of(const Mesh& mesh)
     result.worst = (std::max)(result.worst, badness);
     number += badness > poor;
   }
-  result.are_poor = 16 * number > mesh.number_of_faces();
+  result.are_poor = 4 * number > mesh.number_of_faces();
   return result;
 }
 
