@@ -11,12 +11,20 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_DOWNHILL_SEARCH_H
 
 #include <CGAL/Geodesic_remeshing/internal/Lean_triangulation.h>
+#include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/nearest_in_triangle.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
+
+// The points of the input, for searches on it
+struct Point_of_surface
+{
+  const Surface_walker* walker;
+  const Point& operator()(const Lean_triangulation::Index v) const { return walker->surface().point(Vertex(v)); }
+};
 
 // The place of a triangulation that is nearest to a point, sought downhill from face to face: it stays on the sheet
 // where it begins, and costs next to nothing where it begins near its end. `point_of(v)` tells where the vertices are.

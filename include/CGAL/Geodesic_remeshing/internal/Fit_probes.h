@@ -22,12 +22,6 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-struct Point_of_surface
-{
-  const Surface_walker* walker;
-  const Point& operator()(const Lean_triangulation::Index v) const { return walker->surface().point(Vertex(v)); }
-};
-
 // How far the triangulation is from the input: at the centers of faces, the middles of edges and the vertices. Without
 // them a face that spans a hollow costs nothing, as no sample of the input is near it. Of each is kept where on the
 // input it was nearest to last: there the next search starts.
