@@ -1,6 +1,8 @@
 #include "distance_to_surface.h"
 #include "test_support.h"
 
+#include <mesh_quality.h>
+
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -105,7 +107,7 @@ Limits limits_of(const Case& c)
     return limits;
   // camel's knees touch nearly
   limits.smallest_angle = c.model == "man" ? 20. : c.model == "camel" && c.vertices == 20000 ? 30. : 39.;
-  limits.percent_irregular = c.vertices < 20000 ? 8. : 5.;
+  limits.percent_irregular = c.vertices < 20000 ? c.model == "man" ? 8. : 7. : 5.;
   // bull's sharp ridges are an edge wide. This is the figure it does reach, so that it does not get worse unseen.
   limits.mean_smallest_angle = c.model == "bull" && c.vertices == 5000 ? 53.3 : 54.;
   return limits;
@@ -235,6 +237,21 @@ TEST_P(Model_twice, gives_the_same_bytes_from_OFF_and_from_PLY)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Model_twice, testing::Values("dino", "eight"));
+
+#ifdef NDEBUG
+// bear's ears and bull's ridges and horns are what is farthest: .34 and .72 if the last steps leave them as they are
+TEST(Model, is_near_where_it_is_farthest)
+{
+  const auto hausdorff_percent = [](const std::string& model) {
+    const Mesh input = read_model(model);
+    Mesh output;
+    geodesic_remeshing(input, 5000, output);
+    return mesh_quality::measure_distance(input, output, 50000).hausdorff_percent;
+  };
+  EXPECT_LE(hausdorff_percent("bear"), .25);
+  EXPECT_LE(hausdorff_percent("bull"), .68);
+}
+#endif
 
 // ---- what cannot be
 
