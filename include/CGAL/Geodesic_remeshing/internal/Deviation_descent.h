@@ -188,7 +188,7 @@ inline void Deviation_descent::run(const std::size_t number_of_trials, const dou
       continue;
     }
     const Index f = m_deviations.face_near(trouble);
-    if(is_stuck[f])
+    if(f == Lean_triangulation::none || is_stuck[f]) // none if the distances overflow
       continue;
     ++trials;
     bool has_moved = false;
