@@ -26,6 +26,7 @@ struct Constraints
   std::vector<char> is_line;   // of an edge: on the boundary, a feature, constrained, or between two patches
   std::vector<char> is_corner; // of a vertex
   bool are_kept = false;       // the edges on lines are to be edges of the output; then their ends are corners
+  bool has_features = false;   // sharp edges were asked for, and there are some
 
   bool empty() const { return !has_any(is_line) && !has_any(is_corner); }
 

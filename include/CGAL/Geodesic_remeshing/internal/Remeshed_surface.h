@@ -67,6 +67,7 @@ public:
   // sent elsewhere, if it finds good triangles there.
   bool is_fixed(const Index v) const { return m_hold[v] == Hold::corner || m_hold[v] == Hold::tip; }
   bool has_lines() const { return m_has_lines; }
+  bool has_features() const { return m_has_features; } // sharp edges, as machine parts have them
   const Line_walker& lines() const { return m_lines; }
   bool keeps_lines() const { return m_keeps_lines; } // all their edges
   bool is_on_line(const Index v) const { return m_has_lines && m_connectivity.is_on_line(v); }
@@ -155,7 +156,7 @@ private:
   const Surface_walker& m_walker;
   const Metric m_metric;
   const Line_walker m_lines;
-  const bool m_has_lines, m_keeps_lines;
+  const bool m_has_lines, m_has_features, m_keeps_lines;
   Lean_triangulation m_connectivity;
   Valence_energy m_energy;
   std::vector<Spot> m_spots;
@@ -172,7 +173,7 @@ inline Remeshed_surface::Remeshed_surface(const Surface_walker& walker, const Co
                                           const Mesh::Property_map<Edge, bool>& constrained,
                                           const Block_size block_size)
   : m_block_size(block_size), m_walker(walker), m_metric(walker.surface()), m_lines(walker, constraints),
-    m_has_lines(!m_lines.empty()), m_keeps_lines(constraints.are_kept),
+    m_has_lines(!m_lines.empty()), m_has_features(constraints.has_features), m_keeps_lines(constraints.are_kept),
     m_connectivity(mesh, [&](const Edge e) { return constrained[e]; }), m_energy(m_connectivity, m_has_lines)
 {
   m_spots.resize(mesh.number_of_vertices());

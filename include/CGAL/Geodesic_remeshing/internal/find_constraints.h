@@ -57,6 +57,9 @@ inline void add_features(const Mesh& mesh, double edge_length, double angle_in_d
   for(Edge e : mesh.edges())
     constraints.is_line[e.idx()] |= is_sharp[e.idx()];
   remove_specks(mesh, edge_length, is_given, constraints.is_corner, constraints.is_line);
+  constraints.has_features = std::any_of(mesh.edges().begin(), mesh.edges().end(), [&](const Edge e) {
+    return is_sharp[e.idx()] != 0 && constraints.is_line[e.idx()] != 0;
+  });
   find_cone_tips(mesh, edge_length, constraints);
 }
 

@@ -81,7 +81,7 @@ private:
   void consider(std::size_t i)
   {
     const double own = turn_at(i, 0.), wide = turn_at(i, m_reach);
-    if((wide >= least && (std::max)(own, wide) >= sharp) ||
+    if((wide >= least && ((std::max)(own, wide) >= sharp || (own >= least && is_single(i)))) ||
        (own >= of_polygon && is_straight_beside(i, true) && is_straight_beside(i, false)))
       m_candidates.push_back(Candidate{wide, i});
   }
@@ -110,6 +110,24 @@ private:
       if(turn_at(j, 0.) >= straight)
         return false;
     }
+    return true;
+  }
+
+  // Whether the line turns nowhere near half as sharply, as where two smooth lines meet
+  bool is_single(std::size_t i) const
+  {
+    const double radius = 1.5 * m_reach, limit = .5 * turn_at(i, 0.), length = m_position.back();
+    const std::size_t n = m_points.size() - 1;
+    for(const bool forward : {true, false})
+      for(std::size_t k = 1; k < n && (m_is_ring || (forward ? i + k < n : k < i)); ++k)
+      {
+        const std::size_t j = (forward ? i + k : i + n - k) % n;
+        const double way = std::abs(m_position[j] - m_position[i]);
+        if(!((forward == (j > i) ? way : length - way) < radius))
+          break;
+        if(turn_at(j, 0.) > limit)
+          return false;
+      }
     return true;
   }
 

@@ -123,10 +123,10 @@ inline void relax_with_quadrics(Remeshed_surface& remeshed, const std::vector<Qu
   // the Hausdorff distances of the first and the mean angles of the last.
   constexpr double pull = .3;
   // Planes of neighbours are fewer and farther away: at .3, .6 and 1.2 the RMS distance of eight inputs coarser than
-  // the result was 11, 9 and 7 percent less than without, and the mean angle 1.3, .6 and .1 degrees. With lines, on
-  // machine parts, the edges that no line covers count for more: at .3 in place of 1 the RMS distance was 12 and 7
-  // percent less on couplingdown and rotor, and the mean angle 1.0 and .1 degrees.
-  const double pull_among_neighbors = remeshed.has_lines() ? .3 : 1.;
+  // the result was 11, 9 and 7 percent less than without, and the mean angle 1.3, .6 and .1 degrees. With features, on
+  // machine parts, the edges that no line covers count for more: at .1 in place of .3 the RMS distance was 7 and 10
+  // percent less on couplingdown and rotor, and the mean angle .9 and .5 degrees.
+  const double pull_among_neighbors = remeshed.has_features() ? .1 : remeshed.has_lines() ? .3 : 1.;
   for_each_ring(remeshed, [&](const Lean_triangulation::Index v, const Vertex_ring& ring) {
     const Vector way = ring.way_to_center();
     const Point& point = remeshed.spot(v).point;
