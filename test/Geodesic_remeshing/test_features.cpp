@@ -985,9 +985,10 @@ TEST_P(Model_with_lines, keeps_them)
 
 INSTANTIATE_TEST_SUITE_P(
     Data, Model_with_lines,
-    testing::Values(Model_case{"fandisk", 3238, 60., 53.5, .25, 1.},
+    testing::Values(Model_case{"fandisk", 3238, 60., 53.5, .19, 1.},
                     Model_case{"anchor_dense", 3000, 60., 53., .45, 2.},
-                    Model_case{"joint_refined", 3000, 60., 55.7, .5, 1.}, Model_case{"rotor", 5000, 60., 54.5, .15, 1.},
+                    Model_case{"joint_refined", 3000, 60., 55.7, .5, 1.}, Model_case{"rotor", 5000, 60., 54., .12, 1.},
+                    Model_case{"pinion", 4000, 60., 52., .11, 1.},
                     Model_case{"mannequin-devil", 5000, 0., 55., .08, 3.},
                     Model_case{"lion-head", 5000, 0., 55., .02, 4.}, Model_case{"nefertiti", 3000, 0., 54.5, .015, 1.},
                     Model_case{"mesh_with_border", 1000, 0., 57., .03, 1.},
@@ -1048,6 +1049,28 @@ TEST(Lines, corners_depend_on_the_scale)
   };
   EXPECT_GT(corners(.5), 35);
   EXPECT_LE(corners(8.), 8);
+}
+
+TEST(Lines, single_bend_is_a_corner)
+{
+  Mesh input = made::plane(40);
+  for(Vertex v : input.vertices())
+  {
+    const double x = input.point(v).x();
+    if(input.point(v).y() == 0.)
+      input.point(v) = Point(x, (std::lround(x) % 2 == 0 ? -.05 : .05) - .36 * std::abs(x - 20.), 0.);
+  }
+  internal::Input_surface<Mesh> copy;
+  internal::copy_input(input, parameters::default_values(), copy, true);
+  const Constraints c = internal::find_constraints(input, parameters::default_values(), copy, 4.);
+  for(Vertex v : copy.mesh.vertices())
+  {
+    const double x = copy.mesh.point(v).x();
+    if(copy.mesh.point(v).y() < 1. && x > 1. && x < 39.)
+    {
+      EXPECT_EQ(c.is_corner[v] != 0, x == 20.) << x;
+    }
+  }
 }
 
 TEST(Lines, spurs_and_specks_that_were_only_detected_are_dropped)

@@ -312,6 +312,50 @@ TEST(Line_walker, closed_line)
   }
 }
 
+// Two vertices beside a bend, none at it: one goes there, where its other neighbour is too far away for it to go alone.
+TEST(Line_fit, two_vertices_at_a_bend_slide_together)
+{
+  const Mesh surface = grid(24, 8, false, false, [](const double i, const double j) {
+    return Point(.5 * i, .5 * j + .4 * std::abs(.5 * i - 6.), 0.);
+  });
+  const Constraints constraints = constraints_of(surface);
+  const Point bend(6., 0., 0.);
+  const std::array<std::size_t, 12> columns = {{0, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 24}};
+  const auto vertex_of_surface = [&](const double i, const double j) {
+    return Vertex(static_cast<Index>(25 * 2 * std::size_t(j) + columns[std::size_t(i)]));
+  };
+  Start start;
+  start.mesh =
+      grid(11, 4, false, false, [&](const double i, const double j) { return surface.point(vertex_of_surface(i, j)); });
+  start.place = start.mesh.add_property_map<Vertex, Place>("v:place").first;
+  start.pinned = start.mesh.add_property_map<Vertex, bool>("v:pinned", false).first;
+  start.constrained = start.mesh.add_property_map<Edge, bool>("e:constrained", false).first;
+  for(const Vertex v : start.mesh.vertices())
+  {
+    const Vertex x = vertex_of_surface(v.idx() % 12, v.idx() / 12);
+    start.place[v] = place_of_vertex(surface, x);
+    start.pinned[v] = constraints.is_corner[x];
+  }
+  for(const Edge e : start.mesh.edges())
+    start.constrained[e] = start.mesh.is_border(e);
+  const Surface_walker walker(surface, constraints);
+  Remeshed_surface remeshed(walker, constraints, start.mesh, start.place, start.pinned, start.constrained);
+  const auto distance_of_bend = [&] {
+    double least = infinity;
+    for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+      least = (std::min)(least, CGAL::squared_distance(remeshed.spot(v).point, bend));
+    return std::sqrt(least);
+  };
+  EXPECT_GT(distance_of_bend(), .5);
+  Line_fit(remeshed, 1., badness_of_angle(20.)).run();
+  EXPECT_LT(distance_of_bend(), 1e-12);
+  for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+  {
+    EXPECT_LT(remeshed.ring_badness(v), badness_of_angle(19.9));
+    EXPECT_TRUE(!remeshed.is_on_line(v) || is_on_line(surface, constraints, remeshed.spot(v).place));
+  }
+}
+
 class Improvement_of_lines : public testing::TestWithParam<std::tuple<int, double>>
 {
 protected:
