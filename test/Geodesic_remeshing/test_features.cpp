@@ -1058,7 +1058,7 @@ TEST(Lines, single_bend_is_a_corner)
   {
     const double x = input.point(v).x();
     if(input.point(v).y() == 0.)
-      input.point(v) = Point(x, (std::lround(x) % 2 == 0 ? -.05 : .05) - .36 * std::abs(x - 20.), 0.);
+      input.point(v) = Point(x, (std::lround(x) % 2 == 0 ? .05 : -.05) - .36 * std::abs(x - 20.), 0.);
   }
   internal::Input_surface<Mesh> copy;
   internal::copy_input(input, parameters::default_values(), copy, true);
