@@ -159,6 +159,21 @@ TEST(Hard_surface, boundary_loops_of_three_vertices)
     expect_valid(input, number);
 }
 
+// A rod as CAD programs write it: a hundred slivers from end to end. A sliver of length l is 2 l / m pieces at least
+// where none is longer than m, and since edges are halved up to twice as many.
+TEST(Hard_surface, slivers_take_pieces_in_proportion_to_their_length)
+{
+  const double length = 1000.;
+  const unsigned around = 50;
+  const Mesh input = made::cylinder(5., length, around, 1);
+  GR::Stage_results stages;
+  Mesh output;
+  const GR::Summary summary = CGAL::geodesic_remeshing(input, 2000, output, gp::stage_results(std::ref(stages)));
+  EXPECT_EQ(faults(GR::is_valid_remeshing(input, output, gp::expected_number_of_vertices(2000))), "");
+  const double pieces = 2. * around * 2. * length / (1.5 * summary.edge_length);
+  EXPECT_LT(static_cast<double>(stages.working_surface.number_of_faces()), 3. * pieces);
+}
+
 TEST(Hard_surface, spikes_one_triangle_wide)
 {
   Mesh input = made::sphere(3);
