@@ -709,6 +709,10 @@ TEST_F(Command_line, holes_are_filled_and_small_parts_dropped)
   for(const char* wrong : {" --drop-parts 0", " --drop-parts 100", " --drop-parts nan", " --fill-holes 2",
                            " --fill-holes 3 --no-repair", " --drop-parts 1 --no-repair"})
     EXPECT_EQ(run(scan + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
+  // an edge without length in the boundary: such a hole once became a face with four vertices
+  const std::string slit = file("slit.off", "OFF\n5 4 0\n0 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                            "3 1 0 4\n3 0 2 4\n3 2 3 4\n3 3 1 4\n");
+  EXPECT_EQ(run(slit + " " + output() + " --vertices 60 --fill-holes 4").status, 0);
 }
 
 namespace {

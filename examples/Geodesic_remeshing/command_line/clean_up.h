@@ -73,8 +73,15 @@ inline std::size_t fill_small_holes(Mesh& mesh, std::size_t edges)
     const auto around = mesh.halfedges_around_face(hole);
     if(static_cast<std::size_t>(std::distance(around.begin(), around.end())) > edges)
       continue;
+    // CGAL takes a hole that it enters by an edge without length for a polyline whose first point is told again at its
+    // end, and leaves a face with four vertices.
+    const auto entrance = std::find_if(around.begin(), around.end(), [&](const Mesh::Halfedge_index h) {
+      return mesh.point(mesh.source(h)) != mesh.point(mesh.target(h));
+    });
+    if(entrance == around.end())
+      continue;
     std::vector<Mesh::Face_index> patch;
-    PMP::triangulate_hole(mesh, hole, CGAL::parameters::face_output_iterator(std::back_inserter(patch)));
+    PMP::triangulate_hole(mesh, *entrance, CGAL::parameters::face_output_iterator(std::back_inserter(patch)));
     number += patch.empty() ? 0 : 1;
   }
   return number;

@@ -63,8 +63,7 @@ inline std::size_t drop_degenerate_faces(Soup& soup)
 }
 
 // The vertices may have been duplicated in between, so the points tell.
-inline bool is_turned(const std::vector<std::size_t>& before, const std::vector<std::size_t>& after,
-                      const std::vector<Point>& points)
+inline bool is_turned(const Polygon& before, const Polygon& after, const std::vector<Point>& points)
 {
   for(std::size_t i = 0; i < 3; ++i)
     if(points[before[0]] == points[after[i]])
@@ -84,7 +83,7 @@ inline std::vector<std::string> repair(Soup& soup)
   if(soup.polygons.empty())
     throw Input_error("has no face left after repair");
   check_orientability(soup, sorted_sides(soup));
-  const std::vector<std::vector<std::size_t>> before = soup.polygons;
+  const std::vector<Polygon> before = soup.polygons;
   const std::size_t points = soup.points.size();
   PMP::orient_polygon_soup(soup.points, soup.polygons);
   tell(repairs, "duplicated", soup.points.size() - points, "vertices that are not manifold");

@@ -12,6 +12,7 @@
 
 #include "../include/mesh_quality.h"
 #include "input_file.h"
+#include "possible_files.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -22,7 +23,6 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -49,7 +49,7 @@ namespace internal {
 struct Soup
 {
   std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<Polygon> polygons;
 };
 
 // The readers of CGAL write several lines to std::cerr when a file is damaged; our promise is one line.
@@ -69,41 +69,15 @@ private:
   std::streambuf* m_buffer;
 };
 
-// Whether the header of a PLY file can be given to the reader of CGAL, which adds a property before all elements to the
-// last element there is, and makes as many points as the header tells, be there a byte for each or not.
-inline bool is_header_possible(std::istream& ply)
-{
-  const auto start = ply.tellg();
-  if(start < 0) // nothing but to read it once
-    return true;
-  ply.seekg(0, std::ios::end);
-  const auto bytes = static_cast<std::size_t>(ply.tellg() - start);
-  ply.seekg(start);
-  bool has_element = false;
-  for(std::string line; std::getline(ply, line);)
-  {
-    std::istringstream words(line);
-    std::string keyword, name;
-    std::size_t number;
-    words >> keyword;
-    if(keyword == "end_header")
-      break;
-    if((keyword == "property" && !has_element) || (keyword == "element" && words >> name >> number && number > bytes))
-      return false;
-    has_element = has_element || keyword == "element";
-  }
-  return true;
-}
-
 inline bool read_soup(const Input_file& file, Soup& soup)
 {
   const auto in = file.open();
   if(file.format() == "off")
-    return CGAL::IO::read_OFF(*in, soup.points, soup.polygons);
+    return is_off_possible(*file.open()) && CGAL::IO::read_OFF(*in, soup.points, soup.polygons);
   if(file.format() == "obj")
     return CGAL::IO::read_OBJ(*in, soup.points, soup.polygons);
   if(file.format() == "ply")
-    return is_header_possible(*file.open()) && CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
+    return is_ply_possible(*file.open()) && CGAL::IO::read_PLY(*in, soup.points, soup.polygons);
   if(file.format() == "ts")
     return CGAL::IO::read_GOCAD(*in, soup.points, soup.polygons);
   if(file.format() != "stl")
@@ -140,7 +114,7 @@ inline std::string face_name(std::size_t f)
   return "face " + std::to_string(f);
 }
 
-inline bool uses_a_vertex_twice(const std::vector<std::size_t>& polygon)
+inline bool uses_a_vertex_twice(const Polygon& polygon)
 {
   return polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0];
 }

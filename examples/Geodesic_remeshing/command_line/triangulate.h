@@ -25,8 +25,6 @@
 namespace command_line {
 namespace internal {
 
-using Polygon = std::vector<std::size_t>;
-
 // What some exporters write for a triangle: a polygon with one vertex twice in succession
 inline void drop_repetitions(Polygon& polygon)
 {
