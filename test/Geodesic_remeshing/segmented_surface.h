@@ -29,7 +29,7 @@ struct Segmented_surface
     make_working_surface(surface, longest_working_edge * curve_distance / std::sqrt(.75), working);
     triangulation = std::make_unique<Intrinsic_triangulation>(working.mesh);
     marching = std::make_unique<Fast_marching>(*triangulation);
-    roots = march_from_roots(surface, working.mesh, *marching);
+    roots = march_from_roots_and_lines(working.mesh, {}, *marching).roots;
     distance = distances_in(*marching, working.mesh);
     segment_again();
   }

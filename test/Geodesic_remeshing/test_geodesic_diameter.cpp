@@ -1,10 +1,14 @@
 #include <CGAL/Geodesic_remeshing/geodesic_diameter.h>
+#include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
+#include <CGAL/Geodesic_remeshing/internal/find_roots.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
@@ -120,18 +124,17 @@ TEST(Geodesic_diameter, an_empty_mesh_has_none)
   EXPECT_EQ(GR::geodesic_diameter(mesh).first, Mesh::null_vertex());
 }
 
-TEST(Farthest_points, a_root_for_every_component)
+TEST(Roots, one_for_every_component)
 {
   Mesh mesh = ellipsoid(3.);
   const std::size_t first_component = mesh.number_of_vertices();
   CGAL::copy_face_graph(ellipsoid(2.), mesh);
-  const Intrinsic_triangulation triangulation(mesh);
-  Fast_marching marching(triangulation);
-  const std::vector<Vertex> roots = farthest_roots(mesh, marching);
+  std::size_t number;
+  const std::vector<std::uint32_t> component_of = components_of(mesh, number);
+  const std::vector<Vertex> roots = find_roots(mesh, Intrinsic_triangulation(mesh), component_of, number);
   ASSERT_EQ(roots.size(), 2u);
   EXPECT_LT(roots[0].idx(), first_component);
   EXPECT_GE(roots[1].idx(), first_component);
   EXPECT_NEAR(std::abs(mesh.point(roots[0]).z()), 3., 0.05);
   EXPECT_NEAR(std::abs(mesh.point(roots[1]).z()), 2., 0.05);
-  EXPECT_EQ(farthest_roots(mesh, marching), roots); // and again
 }

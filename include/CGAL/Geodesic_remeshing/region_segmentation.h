@@ -175,7 +175,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   is_corner.resize(working.mesh.number_of_vertices(), 0);
   const Intrinsic_triangulation triangulation(working.mesh);
   Fast_marching marching(triangulation);
-  const Fronts_and_components fronts = march_from_roots_and_lines(input.mesh, working.mesh, is_corner, marching);
+  const Fronts_and_components fronts = march_from_roots_and_lines(working.mesh, is_corner, marching);
   const Segmentation segmentation =
       segment(working.mesh, marching, distances_in(marching, working.mesh), fronts, curve_distance, true);
 

@@ -10,10 +10,10 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_DEVIATION_DESCENT_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_DEVIATION_DESCENT_H
 
+#include <CGAL/Geodesic_remeshing/internal/Deviation_cost.h>
 #include <CGAL/Geodesic_remeshing/internal/Deviations.h>
 #include <CGAL/Geodesic_remeshing/internal/Nearest_vertices.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
-#include <CGAL/Geodesic_remeshing/internal/distance_to_ring.h>
 
 #include <algorithm>
 #include <array>
@@ -34,8 +34,8 @@ public:
 
   // `nearest` may be that of some steps ago. No triangle gets worse than `badness` that is not.
   Deviation_descent(Remeshed_surface& remeshed, const Nearest_vertices& nearest, const double badness)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_input(remeshed.walker().triangulation()),
-      m_nearest(nearest), m_badness(badness), m_deviations(remeshed, nearest), m_stamp(m_input.vertex_slots(), 0)
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_badness(badness), m_deviations(remeshed, nearest),
+      m_cost(remeshed, nearest, m_deviations)
   {}
 
   // Works at the largest deviations, so many times, but not at what is below the least: on a plane that is rounding.
@@ -45,88 +45,13 @@ private:
   using Spot = Remeshed_surface::Spot;
 
   bool better_vertex(Index v, double unit);
-  void gather_samples(Index v);
-  double cost(const Vertex_ring& ring, const Spot& spot, double unit, double limit) const;
 
   Remeshed_surface& m_remeshed;
   const Lean_triangulation& m_table;
-  const Lean_triangulation& m_input;
-  const Nearest_vertices& m_nearest;
   const double m_badness;
   const Deviations m_deviations;
-  std::vector<Index> m_stamp; // of the input's vertices: when they were looked at
-  Index m_time = 0;
-  std::vector<Index> m_samples; // vertices of the input
+  Deviation_cost m_cost;
 };
-
-// The vertices of the input that no triangle is much nearer to than those around v, sought from where v and its
-// neighbors are as far as their nearest vertex is one of these
-inline void Deviation_descent::gather_samples(const Index v)
-{
-  ++m_time;
-  m_samples.clear();
-  const auto enter = [&](const Index x) {
-    if(m_stamp[x] == m_time)
-      return;
-    m_stamp[x] = m_time;
-    bool is_near = m_nearest.vertex[x] == v;
-    m_table.for_each_neighbor(v, [&](const Index w) { is_near = is_near || m_nearest.vertex[x] == w; });
-    if(is_near)
-      m_samples.push_back(x);
-  };
-  const auto enter_around = [&](const Index w) {
-    const Index f = static_cast<Index>(m_remeshed.spot(w).place.face);
-    for(Index h = 4 * f; h < 4 * f + 3; ++h)
-      enter(m_input.source(h));
-  };
-  enter_around(v);
-  m_table.for_each_neighbor(v, enter_around);
-  for(std::size_t i = 0; i < m_samples.size(); ++i)
-    m_input.for_each_neighbor(m_samples[i], enter);
-  const auto is_nearer_to_others = [&](const Index x) {
-    const double here = .99 * squared_distance_to_ring(m_remeshed, m_deviations.input_point(x), v, 0.);
-    bool result = false;
-    m_table.for_each_neighbor(v, [&](const Index w) {
-      result = result || squared_distance_to_ring(m_remeshed, m_deviations.input_point(x), w, here) < here;
-    });
-    return result;
-  };
-  m_samples.erase(std::remove_if(m_samples.begin(), m_samples.end(), is_nearer_to_others), m_samples.end());
-}
-
-// The sum of the sixth powers of the deviations, of which the largest make up nearly all; no more than something above
-// the limit where it is above the limit
-inline double Deviation_descent::cost(const Vertex_ring& ring, const Spot& spot, const double unit,
-                                      const double limit) const
-{
-  // Where the input is not finer than the triangulation its edges cross the triangles' anywhere: with the middles alone
-  // the distance grew there.
-  constexpr std::array<double, 3> parts = {{.25, .5, .75}};
-  const double large = .3 * unit;
-  const std::size_t n = ring.size();
-  double sum = 0.;
-  const auto add = [&](const double deviation) {
-    const double x = deviation / unit;
-    sum += x * x * x;
-  };
-  for(std::size_t i = 0; i < n && sum <= limit; ++i)
-  {
-    for(const double part : parts)
-      add(m_deviations.from_input(spot.point + part * (ring[i].point - spot.point), spot, large, ring[i]));
-    add(m_deviations.from_input(CGAL::centroid(spot.point, ring[i].point, ring[(i + 1) % n].point), spot, large,
-                                ring[i]));
-  }
-  for(std::size_t s = 0; s < m_samples.size() && sum <= limit; ++s)
-  {
-    const Point& p = m_deviations.input_point(m_samples[s]);
-    double least = infinity;
-    for(std::size_t i = 0; i < n; ++i)
-      least = (std::min)(least,
-                         nearest_in_triangle(p, spot.point, ring[i].point, ring[(i + 1) % n].point).squared_distance);
-    add(least);
-  }
-  return sum;
-}
 
 // Tries steps along the edges, long ones first, as long as they help.
 inline bool Deviation_descent::better_vertex(const Index v, const double unit)
@@ -136,10 +61,10 @@ inline bool Deviation_descent::better_vertex(const Index v, const double unit)
   constexpr std::array<double, 3> steps = {{.2, .08, .03}};
   constexpr int rounds = 3;
   constexpr double least_gain = .05;
-  gather_samples(v);
   const Vertex_ring ring(m_remeshed, v);
+  m_cost.gather(v, ring);
   const double limit = (std::max)(m_badness, ring.badness());
-  double best = cost(ring, m_remeshed.spot(v), unit, infinity);
+  double best = m_cost(ring, m_remeshed.spot(v), unit, infinity);
   bool has_moved = false, goes_on = true;
   for(int round = 0; round < rounds && goes_on; ++round)
   {
@@ -148,7 +73,7 @@ inline bool Deviation_descent::better_vertex(const Index v, const double unit)
       for(std::size_t i = 0; i < ring.size(); ++i)
       {
         const Spot spot = m_remeshed.spot_after(v, step * (ring[i].point - m_remeshed.spot(v).point));
-        const double c = ring.badness(spot, limit) <= limit ? cost(ring, spot, unit, best) : infinity;
+        const double c = ring.badness(spot, limit) <= limit ? m_cost(ring, spot, unit, best) : infinity;
         if(c < best)
         {
           best = c;

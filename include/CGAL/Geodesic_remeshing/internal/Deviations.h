@@ -65,6 +65,14 @@ public:
   {
     return m_search.run(static_cast<Index>(start.place.face), p, Vector(0., 0., 0.)).nearest.squared_distance;
   }
+  // Sought from the face, which is then the one where it is.
+  double from_input(const Point& p, Index& face, const double limit, const Spot& other) const
+  {
+    const auto foot = m_search.run(face, p, Vector(0., 0., 0.));
+    face = foot.face;
+    const double squared = foot.nearest.squared_distance;
+    return squared > limit ? (std::min)(squared, from_input(p, other)) : squared;
+  }
   double from_input(const Point& p, const Spot& start, const double limit, const Spot& other) const
   {
     const double squared = from_input(p, start);
@@ -77,6 +85,8 @@ private:
 
   double of_vertex(Index x, double limit) const;
   double of_face(Index f, double limit) const;
+  double of_center(Index f, double limit) const;
+  double of_middle(Index h, double limit) const; // of the edge
   const Point& point(const Index v) const { return m_remeshed.spot(v).point; }
 
   const Remeshed_surface& m_remeshed;
@@ -100,16 +110,25 @@ inline double Deviations::of_vertex(const Index x, const double limit) const
 
 inline double Deviations::of_face(const Index f, const double limit) const
 {
+  double result = of_center(f, limit);
+  for(Index h = 4 * f; h < 4 * f + 3; ++h)
+    result = (std::max)(result, of_middle(h, limit));
+  return result;
+}
+
+inline double Deviations::of_center(const Index f, const double limit) const
+{
   const Spot &u = m_remeshed.spot(m_table.source(4 * f)), &v = m_remeshed.spot(m_table.source(4 * f + 1)),
              &w = m_remeshed.spot(m_table.source(4 * f + 2));
-  const auto of_middle = [&](const Spot& a, const Spot& b) {
-    return from_input(CGAL::midpoint(a.point, b.point), a, limit, b);
-  };
   const Point center = CGAL::centroid(u.point, v.point, w.point);
-  double of_center = from_input(center, u, limit, v);
-  if(of_center > limit)
-    of_center = (std::min)(of_center, from_input(center, w));
-  return (std::max)({of_center, of_middle(u, v), of_middle(v, w), of_middle(w, u)});
+  const double result = from_input(center, u, limit, v);
+  return result > limit ? (std::min)(result, from_input(center, w)) : result;
+}
+
+inline double Deviations::of_middle(const Index h, const double limit) const
+{
+  const Spot &a = m_remeshed.spot(m_table.source(h)), &b = m_remeshed.spot(m_table.target(h));
+  return from_input(CGAL::midpoint(a.point, b.point), a, limit, b);
 }
 
 // The vertices of the input are asked for no more than whether they are farther than so many faces are: on a fine input
@@ -117,10 +136,20 @@ inline double Deviations::of_face(const Index f, const double limit) const
 inline std::vector<Deviations::Deviation> Deviations::largest(const std::size_t number, const double least) const
 {
   const Concurrency concurrency = m_remeshed.block_size().concurrency;
-  std::vector<double> all(m_table.face_slots(), 0.);
-  parallel_for(concurrency, all.size(), [&](const std::size_t f) {
-    if(!m_table.is_removed_face(static_cast<Index>(f)))
-      all[f] = of_face(static_cast<Index>(f), infinity);
+  std::vector<double> all(m_table.face_slots(), 0.), of_edge(4 * all.size(), 0.); // at one halfedge of each
+  parallel_for(concurrency, all.size(), [&](const std::size_t i) {
+    const Index f = static_cast<Index>(i);
+    for(Index h = 4 * f; h < 4 * f + 3 && !m_table.is_removed_face(f); ++h)
+      if(m_table.opposite(h) > h) // as `none` is
+        of_edge[h] = of_middle(h, infinity);
+  });
+  parallel_for(concurrency, all.size(), [&](const std::size_t i) {
+    const Index f = static_cast<Index>(i);
+    if(m_table.is_removed_face(f))
+      return;
+    all[f] = of_center(f, infinity);
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+      all[f] = (std::max)(all[f], of_edge[(std::min)(h, m_table.opposite(h))]);
   });
   if(all.size() <= number)
     return {};

@@ -52,7 +52,7 @@ public:
     const Point &a = m_point_of(m_table.source(4 * f)), &b = m_point_of(m_table.source(4 * f + 1)),
                 &c = m_point_of(m_table.source(4 * f + 2));
     Foot foot{f, nearest_in_triangle(p, a, b, c), 0.};
-    const bool is_behind = cross_product(b - a, c - a) * normal < 0.;
+    const bool is_behind = m_penalty > 0. && cross_product(b - a, c - a) * normal < 0.;
     foot.judged_distance = foot.nearest.squared_distance + (is_behind ? m_penalty : 0.);
     return foot;
   }

@@ -118,42 +118,6 @@ inline std::vector<Farthest_pair> farthest_pairs(Fast_marching& marching)
   return farthest_pairs(marching, components, components.first_vertex, 1e-4);
 }
 
-// Of every connected component the vertex farthest, straight through space, from the middle of the component
-inline std::vector<Vertex> outermost_vertices(const Mesh& mesh, const Components& components)
-{
-  const std::size_t n = components.first_vertex.size();
-  std::vector<Vector> middle(n, Vector(0., 0., 0.));
-  std::vector<double> count(n, 0.), farthest(n, -1.);
-  for(const Vertex v : mesh.vertices())
-  {
-    middle[components.component_of[v]] = middle[components.component_of[v]] + Vector(CGAL::ORIGIN, mesh.point(v));
-    count[components.component_of[v]] += 1.;
-  }
-  std::vector<Vertex> result(n);
-  for(const Vertex v : mesh.vertices())
-  {
-    const std::size_t c = components.component_of[v];
-    const double distance = (Vector(CGAL::ORIGIN, mesh.point(v)) - middle[c] / count[c]).squared_length();
-    if(distance > farthest[c])
-    {
-      farthest[c] = distance;
-      result[c] = v;
-    }
-  }
-  return result;
-}
-
-// For every connected component a vertex at one of its far ends, in the order of the components' first vertices: what a
-// root needs. Begun at an outermost vertex and content with one percent, the search takes two or three runs.
-inline std::vector<Vertex> farthest_roots(const Mesh& mesh, Fast_marching& marching)
-{
-  const Components components(marching.triangulation());
-  std::vector<Vertex> roots;
-  for(const Farthest_pair& pair : farthest_pairs(marching, components, outermost_vertices(mesh, components), 1e-2))
-    roots.push_back(pair.root);
-  return roots;
-}
-
 } // namespace internal
 } // namespace Geodesic_remeshing
 } // namespace CGAL

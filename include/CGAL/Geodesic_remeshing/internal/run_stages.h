@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Conflict_sizing.h>
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
+#include <CGAL/Geodesic_remeshing/internal/Face_division.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
@@ -85,8 +86,7 @@ void run_stages(const Stages_work& work, const Target& target, const Goal& goal,
   auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh, options.concurrency);
   auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
   Fast_marching& marching = *marching_memory;
-  Fronts_and_components fronts =
-      march_from_roots_and_lines(surface, pieces.mesh, is_corner, marching, options.concurrency);
+  Fronts_and_components fronts = march_from_roots_and_lines(pieces.mesh, is_corner, marching);
   std::vector<double> distance = distances_in(marching, pieces.mesh);
   keep_working_surface(pieces.mesh, distance, kept);
 

@@ -10,11 +10,11 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 
-#include <CGAL/Geodesic_remeshing/internal/farthest_points.h>
+#include <CGAL/Geodesic_remeshing/internal/find_roots.h>
 #include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
-#include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/cut_along_regions.h>
 #include <CGAL/Geodesic_remeshing/internal/cut_along_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/line_regions.h>
 #include <CGAL/Geodesic_remeshing/internal/march_from_lines.h>
@@ -38,23 +38,6 @@ void release(Made&... made)
   ((made = Made()), ...);
 }
 
-// The root of each connected component (paper, section 4), and the distances from them on the working surface in
-// `marching`. Where the refinement has added many vertices the roots are sought on the surface as it came in: it
-// costs less and finds the same.
-inline std::vector<Vertex> march_from_roots(const Mesh& surface, const Mesh& working, Fast_marching& marching,
-                                            const Concurrency concurrency = Concurrency())
-{
-  if(working.number_of_vertices() <= 2 * surface.number_of_vertices())
-    return farthest_roots(working, marching);
-  const Intrinsic_triangulation triangulation(surface, concurrency);
-  Fast_marching on_surface(triangulation);
-  const std::vector<Vertex> roots = farthest_roots(surface, on_surface);
-  for(Vertex r : roots)
-    marching.add_source(r);
-  marching.march(Front_shape::circular);
-  return roots;
-}
-
 inline std::vector<double> distances_in(const Fast_marching& marching, const Mesh& mesh)
 {
   std::vector<double> result;
@@ -74,9 +57,8 @@ struct Fronts_and_components
 };
 
 // Marches from roots in closed components, from lines in those with boundary.
-inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, const Mesh& mesh,
-                                                        const std::vector<char>& is_corner, Fast_marching& marching,
-                                                        const Concurrency concurrency = Concurrency())
+inline Fronts_and_components march_from_roots_and_lines(const Mesh& mesh, const std::vector<char>& is_corner,
+                                                        Fast_marching& marching)
 {
   Fronts_and_components result;
   std::size_t number;
@@ -88,15 +70,14 @@ inline Fronts_and_components march_from_roots_and_lines(const Mesh& surface, con
   for(Vertex v : mesh.vertices())
     (is_open[result.component_of[v]] ? result.open : result.closed).push_back(v);
   if(!result.closed.empty())
-    for(Vertex r : march_from_roots(surface, mesh, marching, concurrency))
+    for(Vertex r : find_roots(mesh, marching.triangulation(), result.component_of, number))
       if(!is_open[result.component_of[r]])
         result.roots.push_back(r);
-  if(result.open.empty())
-    return result;
-  marching.clear();
   for(Vertex r : result.roots)
     marching.add_source(r);
   marching.march(Front_shape::circular);
+  if(result.open.empty())
+    return result;
   const std::vector<Line_piece> boundary = trace_lines(
       mesh, [&](Edge e) { return mesh.is_border(e); }, [&](Vertex v) { return is_corner[v] && turns_at(mesh, v); });
   result.starts = Line_fronts(mesh, result.component_of, number, boundary).march(marching);
