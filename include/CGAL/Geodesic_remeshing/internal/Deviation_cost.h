@@ -128,13 +128,13 @@ inline double Deviation_cost::deviation(const Vertex_ring& ring, const Spot& spo
   const Spot &a = ring[probe.i], &b = ring[(probe.i + 1) % ring.size()];
   if(probe.of_input == Lean_triangulation::none)
     return m_deviations.from_input(probe.is_center ? CGAL::centroid(spot.point, a.point, b.point)
-                                                        : spot.point + probe.part * (a.point - spot.point),
+                                                   : spot.point + probe.part * (a.point - spot.point),
                                    probe.face, large, a);
   const Point& p = m_deviations.input_point(probe.of_input);
   double least = infinity;
   for(std::size_t i = 0; i < ring.size(); ++i)
-    least = (std::min)(least, nearest_in_triangle(p, spot.point, ring[i].point, ring[(i + 1) % ring.size()].point)
-                                  .squared_distance);
+    least = (std::min)(
+        least, nearest_in_triangle(p, spot.point, ring[i].point, ring[(i + 1) % ring.size()].point).squared_distance);
   return least;
 }
 

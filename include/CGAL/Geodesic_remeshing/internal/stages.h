@@ -14,7 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
-#include <CGAL/Geodesic_remeshing/internal/cut_along_regions.h>
+#include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/cut_along_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/line_regions.h>
 #include <CGAL/Geodesic_remeshing/internal/march_from_lines.h>
