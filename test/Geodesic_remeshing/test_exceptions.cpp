@@ -140,9 +140,8 @@ using Polyhedron =
 
 // `most` places from the first allocation to the last one, evenly spread, and each of the last ones: there the output
 // is written.
-std::vector<long> places_of_failure(long all, long most)
+std::vector<long> places_of_failure(long all, long most, long last)
 {
-  const long last = 40;
   std::vector<long> result;
   for(long i = 0; i < most; ++i)
     result.push_back(i * all / most);
@@ -156,13 +155,13 @@ std::vector<long> places_of_failure(long all, long most)
 // Calls `work` again and again, running out of memory at one place after the other. Before each call `prepare` makes
 // what is worked on, and after each that fails `state` tells what it has become.
 template <class Prepare, class Work, class State>
-void run_out_of_memory(long most, const Prepare& prepare, const Work& work, const State& state)
+void run_out_of_memory(long most, const Prepare& prepare, const Work& work, const State& state, long last = 40)
 {
   prepare();
   const std::string before = state();
   memory.allocations = 0;
   work();
-  const std::vector<long> places = places_of_failure(memory.allocations, most);
+  const std::vector<long> places = places_of_failure(memory.allocations, most, last);
   std::size_t failed = 0;
   for(const long place : places)
   {
@@ -298,16 +297,59 @@ TEST(Out_of_memory, polyhedron_in_and_out)
   CGAL::copy_face_graph(made::box(2, 2, 1), input);
   std::unique_ptr<Polyhedron> out;
   run_out_of_memory(
-      30, [&] { out = std::make_unique<Polyhedron>(), CGAL::copy_face_graph(made::octahedron(), *out); },
+      15, [&] { out = std::make_unique<Polyhedron>(), CGAL::copy_face_graph(made::octahedron(), *out); },
       [&] { CGAL::geodesic_remeshing(input, 30, *out); }, [&] { return description(*out) + description(input); });
 }
 
-TEST(Out_of_memory, in_place)
+// The vertices leave the surface, edges and a vertex are constrained, and the map of the edges is written to.
+TEST(Out_of_memory, in_place_with_constraints_and_fitting)
 {
-  std::unique_ptr<Open_box> box;
+  struct Constrained_box : Open_box
+  {
+    Mesh::Property_map<Edge, bool> edge = mesh.add_property_map<Edge, bool>("e:constrained", false).first;
+    Mesh::Property_map<Vertex, bool> vertex = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
+
+    Constrained_box()
+    {
+      for(Edge e : mesh.edges())
+        edge[e] = mesh.point(mesh.vertex(e, 0)).z() + mesh.point(mesh.vertex(e, 1)).z() < .1;
+      vertex[*mesh.vertices().begin()] = true;
+    }
+  };
+  std::unique_ptr<Constrained_box> box;
   run_out_of_memory(
-      30, [&] { box = std::make_unique<Open_box>(); },
-      [&] { CGAL::geodesic_remeshing(box->mesh, 70, box->parameters()); }, [&] { return description(box->mesh); });
+      20, [&] { box = std::make_unique<Constrained_box>(); },
+      [&] {
+        CGAL::geodesic_remeshing(box->mesh, 70,
+                                 box->parameters()
+                                     .edge_is_constrained_map(box->edge)
+                                     .vertex_is_constrained_map(box->vertex)
+                                     .do_project(false));
+      },
+      [&] {
+        std::string result = description(box->mesh);
+        for(Edge e : box->mesh.edges())
+          result += box->edge[e] ? "+" : "-";
+        return result;
+      });
+}
+
+// Where faces are in conflict, here on tubes pressed flat, all stages are run again and the better mesh is kept.
+TEST(Out_of_memory, stages_that_are_repeated)
+{
+  Mesh input = made::branching_tubes({4, 3, 2}, 1);
+  for(Vertex v : input.vertices())
+    input.point(v) = Point(input.point(v).x(), input.point(v).y(), .02 * input.point(v).z());
+  Throwing_visitor once(-1), again(-1);
+  Mesh other;
+  CGAL::geodesic_remeshing(made::torus(3, 1, 30, 14), 60, other, gp::visitor(std::ref(once)));
+  CGAL::geodesic_remeshing(input, 12, other, gp::visitor(std::ref(again)));
+  EXPECT_GT(again.calls, once.calls + 5);
+  std::unique_ptr<Used_output> out;
+  run_out_of_memory(
+      25, [&] { out = std::make_unique<Used_output>(); },
+      [&] { CGAL::geodesic_remeshing(input, 12, out->mesh, gp::default_values(), out->parameters()); },
+      [&] { return out->state() + description(input); }, 5);
 }
 
 TEST(Out_of_memory, functions_that_fill_a_map)
@@ -331,7 +373,10 @@ TEST(Out_of_memory, functions_that_fill_a_map)
       region[f] = 77;
   };
   run_out_of_memory(
-      60, prepare, [&] { GR::geodesic_distances(mesh, distance, source); }, state);
+      40, prepare, [&] { GR::geodesic_distances(mesh, distance, source); }, state);
+  const std::vector<Vertex> curve{mesh.source(mesh.halfedge(source)), source};
+  run_out_of_memory(
+      40, prepare, [&] { GR::geodesic_distances_from_curve(mesh, distance, curve); }, state);
   run_out_of_memory(
       60, prepare, [&] { GR::geodesic_diameter(mesh, gp::vertex_distance_map(distance)); }, state);
   run_out_of_memory(

@@ -146,11 +146,11 @@ private:
   static Kind kind(const std::string& name)
   {
     static const std::vector<std::pair<const char*, Kind>> kinds{
-        {"char", {1, true, false}},   {"int8", {1, true, false}},    {"uchar", {1, false, false}},
-        {"uint8", {1, false, false}}, {"short", {2, true, false}},   {"int16", {2, true, false}},
+        {"char", {1, true, false}},    {"int8", {1, true, false}},    {"uchar", {1, false, false}},
+        {"uint8", {1, false, false}},  {"short", {2, true, false}},   {"int16", {2, true, false}},
         {"ushort", {2, false, false}}, {"uint16", {2, false, false}}, {"int", {4, true, false}},
-        {"int32", {4, true, false}},  {"uint", {4, false, false}},   {"uint32", {4, false, false}},
-        {"float", {4, true, true}},   {"float32", {4, true, true}},  {"double", {8, true, true}},
+        {"int32", {4, true, false}},   {"uint", {4, false, false}},   {"uint32", {4, false, false}},
+        {"float", {4, true, true}},    {"float32", {4, true, true}},  {"double", {8, true, true}},
         {"float64", {8, true, true}}};
     for(const auto& known : kinds)
       if(name == known.first)
