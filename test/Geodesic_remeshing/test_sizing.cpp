@@ -99,6 +99,12 @@ struct Sizes_by_height // a model of GeodesicRemeshingSizingField
   double at(Vertex v) const { return std::exp(mesh->point(v).z()); }
 };
 
+struct Near_field : Sizes_by_height // that asks for more
+{
+  double worth;
+  double nearness() const { return worth; }
+};
+
 template <class Exception, class Call>
 void expect_refused(const Call& call, const std::string& words)
 {
@@ -235,6 +241,30 @@ TEST(Sizing, edges_are_as_long_as_wished)
       }
     EXPECT_NEAR(ratio / count / mean, 1., .1);
   }
+}
+
+TEST(Sizing, nearness_lowers_the_distance_and_keeps_the_angles)
+{
+  const Mesh input = made::spiky_sphere(5, .3, .2);
+  const auto remeshed = [&](double worth) {
+    Mesh output;
+    Near_field field;
+    field.mesh = &input;
+    field.worth = worth;
+    geodesic_remeshing(input, 1000, output, gp::sizing_field(field));
+    expect_remeshing_of(input, output, 1000);
+    return output;
+  };
+  const Mesh without = remeshed(0.), with = remeshed(1.);
+  Mesh plain; // a field that says nothing of it
+  geodesic_remeshing(input, 1000, plain, gp::sizing_field(Sizes_by_height{&input}));
+  EXPECT_TRUE(support::is_same_mesh(without, plain));
+  EXPECT_LT(mesh_quality::measure_distance(input, with, 20000).rms_percent,
+            .9 * mesh_quality::measure_distance(input, without, 20000).rms_percent);
+  EXPECT_GT(support::quality_of(with).mean_smallest_angle, support::quality_of(without).mean_smallest_angle - 1.);
+  EXPECT_GE(support::quality_of(with).smallest_angle, (std::min)(39.9, support::quality_of(without).smallest_angle));
+  for(const double bad : {-1., std::nan(""), 11.})
+    expect_refused<std::invalid_argument>([&](Mesh&) { remeshed(bad); }, "nearness");
 }
 
 TEST(Sizing, any_form_of_a_field_gives_the_same)
@@ -461,6 +491,9 @@ TEST(Curvature_sizing_field, carries_its_limits)
   EXPECT_EQ(field.limits().gradation, .2);
   EXPECT_EQ(field.limits().minimum_length, .01);
   EXPECT_EQ(field.limits().maximum_length, .02);
+  EXPECT_EQ(field.nearness(), 1.);
+  EXPECT_EQ(GR::Curvature_sizing_field<Mesh>(input, gp::contrast(.3)).nearness(), .6);
+  EXPECT_EQ(GR::Curvature_sizing_field<Mesh>(input, gp::contrast(0.)).nearness(), 0.);
   expect_refused<GR::Remeshing_error>([&](Mesh& out) { geodesic_remeshing(input, 50, out, gp::sizing_field(field)); },
                                       "no fewer than about");
   Mesh output; // what is said at the call comes first
@@ -558,7 +591,7 @@ TEST_P(Sized_model, is_nearer_to_the_surface_at_the_same_number)
     geodesic_remeshing(input, 5000, output, gp::sizing_field(field));
     expect_remeshing_of(input, output, 5000);
     const auto quality = support::quality_of(output);
-    EXPECT_GE(quality.mean_smallest_angle, contrast <= .5 ? 51. : 50.5); // fandisk: 50.97 at .6
+    EXPECT_GE(quality.mean_smallest_angle, 51.);
     EXPECT_LE(quality.percent_below_30, .1);
 #ifdef NDEBUG
     const double rms = mesh_quality::measure_distance(input, output, 50000).rms_percent;
@@ -578,12 +611,12 @@ TEST_P(Sized_model, is_nearer_to_the_surface_at_the_same_number)
 #endif
 }
 
-// Three quarters are wanted. On armadillo the curvature is so even that no sizing could reach less than .83 (see
-// internal/curvature.h); dino misses it by a little, and elephant since uniform meshes lie nearer to the surface.
+// Three quarters are wanted of all; on armadillo, whose curvature is nearly even, most of it comes from the steps
+// toward the surface.
 INSTANTIATE_TEST_SUITE_P(, Sized_model,
-                         testing::Values(Model{"homer", .75}, Model{"bear", .75}, Model{"dino", .8},
-                                         Model{"camel", .75}, Model{"elephant", .77}, Model{"armadillo", .91},
-                                         Model{"fandisk", .75}),
+                         testing::Values(Model{"homer", .65}, Model{"bear", .7}, Model{"dino", .65},
+                                         Model{"camel", .65}, Model{"elephant", .65}, Model{"armadillo", .75},
+                                         Model{"fandisk", .65}),
                          [](const testing::TestParamInfo<Model>& info) { return info.param.name; });
 
 // ---- distances with weights

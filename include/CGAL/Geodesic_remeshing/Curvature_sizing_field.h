@@ -20,6 +20,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -35,7 +36,8 @@ namespace Geodesic_remeshing {
  * weights \f$a\f$ and \f$b\f$ of the user, \f$\kappa = a \sqrt{|K|} + b |H|\f$, in which both have the unit of an
  * inverse length. The length at the vertex is proportional to \f$(\min(\kappa / \bar\kappa, 4) + 0.3)^{-0.8 c}\f$ with
  * the mean \f$\bar\kappa\f$ over the surface and the contrast \f$c\f$: with 0 the sizing is uniform, with 0.5 the RMS
- * distance from the surface is about the least, with more the deviation of the most bent parts falls further.
+ * distance from the surface is about the least, with more the deviation of the most bent parts falls further. A mesh by
+ * this sizing is to be near to the surface, so its vertices also go, by parts of an edge, to where it is.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  *
@@ -163,6 +165,7 @@ public:
     m_limits.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_length), m_limits.minimum_length);
     m_limits.maximum_length = choose_parameter(get_parameter(np, internal_np::maximum_length), m_limits.maximum_length);
     internal::check_limits(m_limits);
+    m_nearness = (std::min)(2. * weights.contrast, 1.);
 
     for(auto v : vertices(tmesh))
       put(m_length, v, 1.); // isolated vertices
@@ -180,9 +183,14 @@ public:
   /// \return the limits given to the constructor, which `geodesic_remeshing()` keeps to
   const Sizing_limits& limits() const { return m_limits; }
 
+  /// \return what it is worth to be near to the surface, at the cost of angles: 1 from a contrast of 0.5 on, with less
+  /// contrast less, with none 0
+  double nearness() const { return m_nearness; }
+
 private:
   typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<double>>::const_type m_length;
   Sizing_limits m_limits;
+  double m_nearness = 0.;
 };
 
 } // namespace Geodesic_remeshing

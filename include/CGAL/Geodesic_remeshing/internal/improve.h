@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Conflict_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Deviation_descent.h>
+#include <CGAL/Geodesic_remeshing/internal/Deviation_relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/Intersection_repair.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_fit.h>
 #include <CGAL/Geodesic_remeshing/internal/Nearest_vertices.h>
@@ -44,6 +45,7 @@ struct Improvement_parameters
   double edge_length;
   std::size_t number_of_iterations = 3;
   bool use_defect_moves = true;
+  double nearness = 0.; // what it is worth to be near to the surface, see GeodesicRemeshingSizingField
   Block_size block_size = Block_size();
 };
 
@@ -206,6 +208,12 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   polish(remeshed, parameters.number_of_vertices);
   // The polish moves what is on lines as well.
   Line_fit(remeshed, parameters.edge_length, badness_of_angle(40.)).run();
+  // With the sizing of contrast .5 the mean angle is what it was without these steps: at a worth of .4 it is .2 degrees
+  // more, at 1 one degree less. Those at the largest deviations come last, as these do not ask for the input's
+  // vertices.
+  if(parameters.nearness > 0.)
+    Deviation_relaxation(remeshed, nearest, badness_of_angle(40.))
+        .run(.7 * parameters.nearness, 1e-6 * parameters.edge_length);
   // A hundredth of the vertices: with twice as many the Hausdorff distance is nearly the same, and the mean angle .2
   // degrees less. With a sizing, which may have seen to the deviations and has spent angles, half as many. A sphere of
   // a thousand vertices deviates by a fiftieth of an edge.

@@ -48,6 +48,7 @@ struct Options
   std::size_t number_of_iterations;
   bool use_defect_moves;
   bool do_project;
+  double nearness;
   Concurrency concurrency;
 
   Improvement_parameters improvement(std::size_t number_of_vertices, double edge_length) const
@@ -55,10 +56,37 @@ struct Options
     Improvement_parameters result{number_of_vertices, edge_length};
     result.number_of_iterations = number_of_iterations;
     result.use_defect_moves = use_defect_moves;
+    result.nearness = do_project ? nearness : 0.; // a fit brings all near
     result.block_size = block_size_for(number_of_vertices, concurrency);
     return result;
   }
 };
+
+template <class NamedParameters, class Tag>
+constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+template <class T, class = void>
+struct has_nearness : std::false_type
+{};
+template <class T>
+struct has_nearness<T, std::void_t<decltype(std::declval<const T&>().nearness())>> : std::true_type
+{};
+
+// What the sizing field says of it, if it says anything
+template <class NamedParameters>
+double nearness_of(const NamedParameters& np)
+{
+  double nearness = 0.;
+  if constexpr(is_given<NamedParameters, internal_np::sizing_field_t>)
+  {
+    const auto& field = CGAL::parameters::get_parameter_reference(np, internal_np::sizing_field);
+    if constexpr(has_nearness<std::decay_t<decltype(field)>>::value)
+      nearness = CGAL::to_double(field.nearness());
+    if(!(nearness >= 0. && nearness <= 10.))
+      throw std::invalid_argument("geodesic remeshing: the nearness of the sizing field must be between 0 and 10");
+  }
+  return nearness;
+}
 
 template <class NamedParameters>
 Options unpack_options(const NamedParameters& np)
@@ -68,7 +96,9 @@ Options unpack_options(const NamedParameters& np)
   return Options{choose_parameter(get_parameter(np, internal_np::use_segmentation), true),
                  static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u)),
                  choose_parameter(get_parameter(np, internal_np::use_defect_moves), true),
-                 choose_parameter(get_parameter(np, internal_np::do_project), true), concurrency_of(np)};
+                 choose_parameter(get_parameter(np, internal_np::do_project), true),
+                 nearness_of(np),
+                 concurrency_of(np)};
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -78,9 +108,6 @@ auto vertex_indices_of(const TriangleMesh& tmesh, const NamedParameters& np)
       get_initialized_vertex_index_map(tmesh, np);
   return indices;
 }
-
-template <class NamedParameters, class Tag>
-constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
 template <class T, class = void>
 struct has_limits : std::false_type
