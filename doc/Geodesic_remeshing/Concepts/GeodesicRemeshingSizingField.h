@@ -38,8 +38,8 @@ public:
   /// tells what it is worth to be near to the surface: vertices move over the surface to where the RMS distance of the
   /// mesh from it is less, for what this costs in angles. A class need not have this function; 0, which holds without
   /// it, does nothing of the kind.
-  /// \return a number from 0 to 10: with 1 the RMS distance falls by about a fifth and the mean of the smallest angles
-  /// stays, with more angles are given up
+  /// \return a number from 0 to 10: with 1 the RMS distance falls by about a quarter and the mean of the smallest
+  /// angles by half a degree, with more both fall further
   FT nearness() const;
 
   /// @}

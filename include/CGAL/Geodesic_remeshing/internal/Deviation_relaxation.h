@@ -16,7 +16,10 @@
 #include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -47,10 +50,12 @@ public:
 
 private:
   using Spot = Remeshed_surface::Spot;
+  // Those of the input where the middle of an edge of the ring and the center of the triangle beside it were found last
+  using Faces = boost::container::small_vector<std::array<Index, 2>, 16>;
 
   void step(Index v, const Vertex_ring& ring, double part);
   double cost_of_angles(const Vertex_ring& ring, const Spot& spot) const;
-  double cost(const Vertex_ring& ring, const Spot& spot, double limit) const;
+  double cost(const Vertex_ring& ring, const Spot& spot, double limit, Faces& faces) const;
 
   Remeshed_surface& m_remeshed;
   const double m_badness;
@@ -75,21 +80,21 @@ inline double Deviation_relaxation::cost_of_angles(const Vertex_ring& ring, cons
 // No more than something above the limit where it is above the limit. The deviations are those of the triangles'
 // centers and of the middles of the edges, each for the same part of the area. Those of the input's vertices from the
 // triangles gained one percent, and would have to be sought beyond the ring.
-inline double Deviation_relaxation::cost(const Vertex_ring& ring, const Spot& spot, const double limit) const
+inline double Deviation_relaxation::cost(const Vertex_ring& ring, const Spot& spot, const double limit,
+                                         Faces& faces) const
 {
   const std::size_t n = ring.size();
   double sum = cost_of_angles(ring, spot), area = 0.;
   for(std::size_t i = 0; i < n; ++i)
-    area += std::sqrt(
-        cross_product(ring[i].point - spot.point, ring[(i + 1) % n].point - spot.point).squared_length());
+    area += std::sqrt(cross_product(ring[i].point - spot.point, ring[(i + 1) % n].point - spot.point).squared_length());
   const double worth = m_worth * area / static_cast<double>(2 * n);
   for(std::size_t i = 0; i < n && sum <= limit; ++i)
   {
     const Spot &a = ring[i], &b = ring[(i + 1) % n];
     // Beyond that a fold may be another valley of the distance.
     const double large = .1 * CGAL::squared_distance(a.point, spot.point);
-    sum += worth * (m_deviations.from_input(CGAL::midpoint(spot.point, a.point), spot, large, a) +
-                    m_deviations.from_input(CGAL::centroid(spot.point, a.point, b.point), spot, large, a));
+    sum += worth * (m_deviations.from_input(CGAL::midpoint(spot.point, a.point), faces[i][0], large, a) +
+                    m_deviations.from_input(CGAL::centroid(spot.point, a.point, b.point), faces[i][1], large, a));
   }
   return sum;
 }
@@ -98,13 +103,15 @@ inline double Deviation_relaxation::cost(const Vertex_ring& ring, const Spot& sp
 inline void Deviation_relaxation::step(const Index v, const Vertex_ring& ring, const double part)
 {
   const double limit = (std::max)(m_badness, ring.badness());
-  double best = cost(ring, m_remeshed.spot(v), infinity);
+  const Index face = static_cast<Index>(m_remeshed.spot(v).place.face);
+  Faces faces(ring.size(), {{face, face}});
+  double best = cost(ring, m_remeshed.spot(v), infinity, faces);
   for(std::size_t i = 0; i < ring.size(); ++i)
   {
     const Spot spot = m_remeshed.spot_after(v, part * (ring[i].point - m_remeshed.spot(v).point));
     if(!(ring.badness(spot, limit) <= limit))
       continue;
-    const double c = cost(ring, spot, best);
+    const double c = cost(ring, spot, best, faces);
     if(c < best)
     {
       best = c;

@@ -208,9 +208,10 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   polish(remeshed, parameters.number_of_vertices);
   // The polish moves what is on lines as well.
   Line_fit(remeshed, parameters.edge_length, badness_of_angle(40.)).run();
-  // With the sizing of contrast .5 the mean angle is what it was without these steps: at a worth of .4 it is .2 degrees
-  // more, at 1 one degree less. Those at the largest deviations come last, as these do not ask for the input's
-  // vertices.
+  // On homer, elephant, armadillo, fandisk and dino with a sizing of contrast .5 and 5,000 vertices worths of .25, .4,
+  // .55, .7 and 1 made the RMS distance 15, 20, 23, 25 and 27 percent less, and the mean angle .9 and .4 degrees more,
+  // the same, .4 and 1.1 degrees less. The descent at the largest deviations comes after, as these
+  // steps do not ask for the input's vertices.
   if(parameters.nearness > 0.)
     Deviation_relaxation(remeshed, nearest, badness_of_angle(40.))
         .run(.7 * parameters.nearness, 1e-6 * parameters.edge_length);
