@@ -31,3 +31,11 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_link_options(geodesic_remeshing_developer INTERFACE -fsanitize=address,undefined)
   endif()
 endif()
+
+# The stages, which most programs call in the same way: those that link this library do not compile them again.
+set(stages_folder ${CMAKE_CURRENT_SOURCE_DIR}/test/Geodesic_remeshing/compiled_stages)
+add_library(geodesic_remeshing_compiled_stages OBJECT EXCLUDE_FROM_ALL ${stages_folder}/compiled_stages.cpp)
+target_link_libraries(geodesic_remeshing_compiled_stages PUBLIC geodesic_remeshing_developer)
+target_include_directories(geodesic_remeshing_compiled_stages PUBLIC ${stages_folder})
+target_compile_options(geodesic_remeshing_compiled_stages PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O2>)
+set(geodesic_remeshing_use_compiled_stages "$<$<CXX_COMPILER_ID:GNU,Clang>:SHELL:-include compiled_stages.h>")

@@ -15,7 +15,6 @@
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/find_constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_sizing.h>
-#include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/regions_of_faces.h>
 #include <CGAL/Geodesic_remeshing/internal/run_stages.h>
@@ -300,11 +299,12 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
                 "geodesic_remeshing: a mesh to be filled or replaced cannot be const");
   check_parameters<NamedParametersIn, Parameters_of_input<NamedParametersOut>>();
   check_parameters<NamedParametersOut, Parameters_of_output>();
+  const auto asked = unpack_target(target);
   const auto options = unpack_options(np_in);
   decltype(auto) visitor = visitor_of(np_in);
   Geodesic_remeshing::Stage_results* const kept = stage_results_of(np_in);
   Geodesic_remeshing::Summary summary;
-  Stage_clock<std::remove_reference_t<decltype(visitor)>> clock(visitor, summary, options.concurrency.is_parallel());
+  Stage_clock clock(visitor, summary, options.concurrency.is_parallel());
 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
@@ -314,9 +314,8 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("sizing", .03);
   const std::vector<double> wishes = wished_lengths(tmesh, input.vertex_of, np_in);
-  const Goal goal = options.do_project || !wishes.empty()
-                        ? set_goal(target, wishes, sizing_limits_of(np_in), input.mesh)
-                        : set_goal_of_fit(target, input.mesh);
+  const Goal goal = options.do_project || !wishes.empty() ? set_goal(asked, wishes, sizing_limits_of(np_in), input.mesh)
+                                                          : set_goal_of_fit(asked, input.mesh);
   check_scale(goal.mean_edge_length);
   check_thinness(surface, goal.mean_edge_length, goal.number_of_vertices);
   const Constraints constraints = find_constraints(tmesh, np_in, input, goal.mean_edge_length);
@@ -325,26 +324,17 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const bool wants_regions = is_given<NamedParametersOut, Geodesic_remeshing::internal_np::face_region_map_t>;
   const Stages_work work{input.mesh, constraints, options, wants_regions};
   auto run = std::make_unique<Stages_run>();
-  run_stages(work, target, goal, clock, kept, *run);
+  run_stages(work, asked, goal, clock, kept, *run);
   if(options.do_project && !run->conflicts.empty())
-    avoid_conflicts(work, number_as<Target>(target, run->number_of_vertices), wishes, sizing_limits_of(np_in), clock,
-                    kept, run);
+    avoid_conflicts(work, target_again(asked, run->number_of_vertices), wishes, sizing_limits_of(np_in), clock, kept,
+                    run);
   Placed_mesh& remeshed = run->remeshed;
   summary.number_of_regions = run->number_of_regions;
   summary.number_of_curves = run->number_of_curves;
   summary.number_of_strips = run->number_of_strips;
 
   if(!options.do_project)
-  {
-    clock.stage("fitting", .75);
-    bool goes_on = true;
-    const Fit_result fit = fit_surface(surface, constraints, run->edge_length, remeshed,
-                                       [&](double done) { return goes_on = goes_on && clock.go_on(.75 + .2 * done); });
-    if(!goes_on)
-      clock.give_up();
-    summary.rms_distance = fit.root_mean_square;
-    summary.largest_distance = fit.largest;
-  }
+    fit(work, clock, *run, summary);
 
   clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
   write_output(input, remeshed, np_in, out, np_out,

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <functional>
 #include <string>
 
 namespace CGAL {
@@ -24,12 +25,14 @@ namespace internal {
 // Tells the visitor of the stages, asks it whether to go on, and takes the time: that of the processor, which does not
 // depend on what else the machine does; with several threads that would be the sum of theirs, and what counts is what
 // passes.
-template <class Visitor>
 class Stage_clock
 {
 public:
+  template <class Visitor>
   Stage_clock(Visitor& visitor, Summary& summary, const bool is_parallel)
-    : m_visitor(visitor), m_summary(summary), m_is_parallel(is_parallel), m_start(now())
+    : m_visit_stage([&visitor](const std::string& name) { visitor.stage(name); }),
+      m_visit_progress([&visitor](const double done) { return static_cast<bool>(visitor.progress(done)); }),
+      m_summary(summary), m_is_parallel(is_parallel), m_start(now())
   {
     m_summary.seconds.reserve(
         16); // the last stage is entered after the output has changed, when nothing may fail any more
@@ -47,7 +50,7 @@ public:
     {
       stop();
       m_name = name;
-      m_visitor.stage(name);
+      m_visit_stage(name);
     }
     if(!go_on(done))
       give_up();
@@ -57,7 +60,7 @@ public:
   {
     m_done = (std::max)(m_done, done);
     m_is_stopped = true; // also if it throws
-    m_is_stopped = !m_visitor.progress(m_done);
+    m_is_stopped = !m_visit_progress(m_done);
     return !m_is_stopped;
   }
 
@@ -82,7 +85,8 @@ private:
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
 
-  Visitor& m_visitor;
+  const std::function<void(const std::string&)> m_visit_stage; // whatever the visitor's type: else all stages would
+  const std::function<bool(double)> m_visit_progress;          // be compiled again for each
   Summary& m_summary;
   const bool m_is_parallel;
   std::string m_name;

@@ -15,8 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <type_traits>
+#include <variant>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
@@ -66,27 +68,16 @@ inline std::size_t vertices_for_faces(const Mesh& surface, std::size_t faces)
   return static_cast<std::size_t>(vertices);
 }
 
-// The same target again when its number of vertices is known: a length does not tell it any more once the sizing is
-// another one.
-template <class Target>
-auto number_as(const Target& target, const std::size_t number_of_vertices)
-{
-  if constexpr(std::is_same<Target, Edge_length>::value)
-    return number_of_vertices;
-  else
-    return target;
-}
+// What the user asks for
+using Any_target = std::variant<std::size_t, Number_of_faces, Edge_length>;
 
-// The number of vertices that a target means for this surface
 template <class Target>
-std::size_t number_of_vertices_for(const Target& target, const Mesh& surface)
+Any_target unpack_target(const Target& target)
 {
   static_assert(!std::is_floating_point<Target>::value,
                 "geodesic_remeshing: a number of vertices is an integer; for a length write Edge_length{...}");
-  if constexpr(std::is_same<Target, Edge_length>::value)
-    return vertices_for_length(area(surface), target.value);
-  else if constexpr(std::is_same<Target, Number_of_faces>::value)
-    return vertices_for_faces(surface, target.value);
+  if constexpr(std::is_same<Target, Edge_length>::value || std::is_same<Target, Number_of_faces>::value)
+    return target;
   else
   {
     static_assert(std::is_integral<Target>::value, "geodesic_remeshing: the target is a number of vertices, "
@@ -95,6 +86,23 @@ std::size_t number_of_vertices_for(const Target& target, const Mesh& surface)
       reject("the number of vertices must be positive");
     return static_cast<std::size_t>(target);
   }
+}
+
+// The number of vertices that a target means for this surface
+inline std::size_t number_of_vertices_for(const Any_target& target, const Mesh& surface)
+{
+  if(const Edge_length* const length = std::get_if<Edge_length>(&target))
+    return vertices_for_length(area(surface), length->value);
+  if(const Number_of_faces* const faces = std::get_if<Number_of_faces>(&target))
+    return vertices_for_faces(surface, faces->value);
+  return std::get<std::size_t>(target);
+}
+
+// The same target again when its number of vertices is known: a length does not tell it any more once the sizing is
+// another one.
+inline Any_target target_again(const Any_target& target, const std::size_t number_of_vertices)
+{
+  return std::holds_alternative<Edge_length>(target) ? Any_target(number_of_vertices) : target;
 }
 
 // The fewest vertices that a closed surface of this Euler characteristic can be triangulated with: at most n (n - 1) /

@@ -11,11 +11,12 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_VERTEX_BUDGET_H
 
 #include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
+#include <CGAL/Geodesic_remeshing/internal/Target.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -133,9 +134,8 @@ inline std::size_t number_if_even(const std::vector<Extent>& extents, const Line
 }
 
 // `number` is that of the target if it is a number, else what follows from the area alone.
-template <class Target>
-Vertex_budget make_budget(const Target& target, const Working_surface& working, std::size_t number,
-                          const std::vector<Line_piece>& pieces, const Constraints& constraints)
+inline Vertex_budget make_budget(const Any_target& target, const Working_surface& working, std::size_t number,
+                                 const std::vector<Line_piece>& pieces, const Constraints& constraints)
 {
   const auto wanted = [](const Extent& e, double edge_length) { return e.wanted(edge_length); };
   std::vector<Extent> extents = extents_of_components(working, constraints);
@@ -145,17 +145,18 @@ Vertex_budget make_budget(const Target& target, const Working_surface& working, 
     for(Extent& e : extents)
       e.corners = 0; // they are what `Line_budget::surplus()` counts
   double spacing = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), number);
-  if constexpr(std::is_same<Target, Edge_length>::value)
+  const Number_of_faces* const faces = std::get_if<Number_of_faces>(&target);
+  if(std::holds_alternative<Edge_length>(target))
     number = (std::max)(
         fewest,
         static_cast<std::size_t>(std::llround((std::max)(
             0., lines.surplus(spacing) + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })))));
-  else if constexpr(std::is_same<Target, Number_of_faces>::value)
-    number += (target.value + lines.edges_on_boundary(spacing)) / 2 - target.value / 2; // F = 2 V - 2 chi - B
+  else if(faces != nullptr)
+    number += (faces->value + lines.edges_on_boundary(spacing)) / 2 - faces->value / 2; // F = 2 V - 2 chi - B
   check_number_of_vertices(number, fewest, lines.fewest());
   const std::size_t even = constraints.are_kept ? number_if_even(extents, lines, number) : number;
   const double edge_length = edge_length_for(extents, even, wanted);
-  if constexpr(!std::is_same<Target, Number_of_faces>::value)
+  if(faces == nullptr)
     spacing = edge_length;
   const auto wanted_of_curves = [](const Extent& e, double edge_length) { return e.wanted_of_curves(edge_length); };
   return Vertex_budget{number, edge_length, lines.spacing_for(spacing, number),

@@ -16,6 +16,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
+#include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
@@ -59,8 +60,8 @@ struct Stages_run
 };
 
 // From the goal to the improved mesh
-template <class Target, class Clock>
-void run_stages(const Stages_work& work, const Target& target, const Goal& goal, Clock& clock, Stage_results* kept,
+template <class Clock>
+void run_stages(const Stages_work& work, const Any_target& target, const Goal& goal, Clock& clock, Stage_results* kept,
                 Stages_run& run)
 {
   const Mesh& surface = work.surface;
@@ -166,8 +167,8 @@ inline Angles angles_of(const Mesh& mesh)
 // Where triangles as large as these are in conflict smaller ones are tried, at the cost of others, until there are no
 // conflicts left or that does not help any more: fewer conflicts at the cost of some angles, but not of any. `wishes`
 // and `limits` are those of the first run, which is the best so far, and the number of vertices remains its own.
-template <class Target, class Clock>
-void avoid_conflicts(const Stages_work& work, const Target& target, const std::vector<double>& wishes,
+template <class Clock>
+void avoid_conflicts(const Stages_work& work, const Any_target& target, const std::vector<double>& wishes,
                      const Sizing_limits& limits, Clock& clock, Stage_results* kept, std::unique_ptr<Stages_run>& best)
 {
   static const double poor = badness_of_angle(10.);
@@ -207,6 +208,21 @@ void avoid_conflicts(const Stages_work& work, const Target& target, const std::v
       *kept = std::move(stages);
   }
   clock.repeat(false);
+}
+
+// The stage after them, if vertices may leave the surface
+template <class Clock>
+void fit(const Stages_work& work, Clock& clock, Stages_run& run, Summary& summary)
+{
+  clock.stage("fitting", .75);
+  bool goes_on = true;
+  const Fit_result fit =
+      fit_surface(work.surface, work.constraints, run.edge_length, run.remeshed,
+                  [&](const double done) { return goes_on = goes_on && clock.go_on(.75 + .2 * done); });
+  if(!goes_on)
+    clock.give_up();
+  summary.rms_distance = fit.root_mean_square;
+  summary.largest_distance = fit.largest;
 }
 
 } // namespace internal

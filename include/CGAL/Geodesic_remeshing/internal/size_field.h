@@ -23,8 +23,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -171,8 +171,8 @@ struct Goal
 
 // Finds out what a target means on this surface, and makes the wished lengths, where there are any, the metric of the
 // surface.
-template <class Target>
-Goal set_goal(const Target& target, const std::vector<double>& wishes, const Sizing_limits& limits, Mesh& surface)
+inline Goal set_goal(const Any_target& target, const std::vector<double>& wishes, const Sizing_limits& limits,
+                     Mesh& surface)
 {
   const auto goal = [&](std::size_t n) { return Goal{n, edge_length_for(area(surface), n)}; };
   if(wishes.empty())
@@ -181,10 +181,10 @@ Goal set_goal(const Target& target, const std::vector<double>& wishes, const Siz
   Size_field field(surface, wishes, limits);
   std::vector<double> lengths;
   Goal result;
-  if constexpr(std::is_same<Target, Edge_length>::value)
+  if(const Edge_length* const length = std::get_if<Edge_length>(&target))
   {
-    check_length(target.value);
-    lengths = field.lengths(target.value);
+    check_length(length->value);
+    lengths = field.lengths(length->value);
     result = goal(rounded_number_of_vertices(field.number_of_vertices(lengths)));
   }
   else
