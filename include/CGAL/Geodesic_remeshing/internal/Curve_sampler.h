@@ -16,7 +16,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample_set.h>
 #include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 
 #include <algorithm>

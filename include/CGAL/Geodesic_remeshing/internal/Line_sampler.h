@@ -13,7 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <vector>
 

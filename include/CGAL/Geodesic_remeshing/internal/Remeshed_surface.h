@@ -19,7 +19,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Valence_energy.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <array>
 #include <cmath>

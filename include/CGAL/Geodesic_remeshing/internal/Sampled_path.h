@@ -14,7 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Line_sampler.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <algorithm>
 #include <array>

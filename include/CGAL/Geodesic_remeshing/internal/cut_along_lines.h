@@ -10,7 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_CUT_ALONG_LINES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CUT_ALONG_LINES_H
 
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <algorithm>
 #include <vector>

@@ -11,7 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_INSERT_SAMPLES_H
 
 #include <CGAL/Geodesic_remeshing/internal/Curve_sampler.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <algorithm>
 #include <array>

@@ -23,7 +23,7 @@
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <algorithm>

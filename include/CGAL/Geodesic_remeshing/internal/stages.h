@@ -20,7 +20,7 @@
 #include <CGAL/Geodesic_remeshing/internal/march_from_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/region_sweep.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
-#include <CGAL/Geodesic_remeshing/internal/working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 
 #include <cstdint>
 #include <vector>
