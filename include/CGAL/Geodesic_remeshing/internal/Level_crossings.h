@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -40,7 +41,8 @@ struct Crossing
 class Level_crossings
 {
 public:
-  explicit Level_crossings(const Segmentation& segmentation) : m_segmentation(segmentation)
+  explicit Level_crossings(const Segmentation& segmentation)
+    : m_segmentation(segmentation), m_reached(segmentation.number_of_junctions)
   {
     m_at_junction.resize(segmentation.number_of_junctions);
     for(std::size_t r = 0; r < segmentation.regions.size(); ++r)
@@ -134,57 +136,92 @@ private:
     return (std::max)(0., at_bottom ? region(m_segmentation.field_region[v]).height - field : field);
   }
 
+  // A route, or that there is none whose stretch between is not longer than `longest`
+  struct Way
+  {
+    Route route;
+    bool is_found = false;
+    double longest = -1.;
+  };
+
+  // Out at the bottom or the top of one region, in at the top or the bottom of the other
+  using Ways = std::array<Way, 4>;
+  static bool leaves_at_bottom(std::size_t way) { return way < 2; }
+  static bool enters_at_bottom(std::size_t way) { return way % 2 == 1; }
+
+  // Of the four ways, each by the shortest walk between, the shortest. Most edges have one that is not longer than
+  // themselves, and only as far are the others sought: around a handle they would be as long as the graph is large.
   const Route& best_route(Vertex a, Vertex b)
   {
     // Fronts never touch but at the junctions, so what is adjacent is so through junctions that were there already
     const std::size_t time = (std::max)(m_segmentation.time[a], m_segmentation.time[b]);
-    const auto key = std::make_tuple(m_segmentation.field_region[a], m_segmentation.field_region[b], time);
-    auto found = m_routes.find(key);
-    if(found == m_routes.end())
-      found = m_routes.emplace(key, find_routes(std::get<0>(key), std::get<1>(key), time)).first;
-    const auto& routes = found->second;
-    const auto length = [&](const Route& route) {
-      return length_to_end(a, route.leaves_at_bottom) + route.length_between + length_to_end(b, route.enters_at_bottom);
+    const int r = m_segmentation.field_region[a], s = m_segmentation.field_region[b];
+    Ways& ways = m_routes[std::make_tuple(r, s, time)];
+    const auto length = [&](std::size_t i, double between) {
+      return length_to_end(a, leaves_at_bottom(i)) + between + length_to_end(b, enters_at_bottom(i));
     };
-    return *std::min_element(routes.begin(), routes.end(),
-                             [&](const Route& p, const Route& q) { return length(p) < length(q); });
+    find_any(r, s, time, ways);
+    std::size_t best = ways.size();
+    double shortest = infinity;
+    const auto compare = [&](std::size_t i) {
+      const double l = ways[i].is_found ? length(i, ways[i].route.length_between) : infinity;
+      if(l < shortest || (!(shortest < l) && i < best))
+        best = i, shortest = l;
+    };
+    for(std::size_t i = 0; i < ways.size(); ++i)
+      compare(i);
+    for(std::size_t i = 0; i < ways.size(); ++i)
+      if(const double least = length(i, 0.); least < shortest || (!(shortest < least) && i < best))
+      {
+        find_way(r, s, i, time, shortest, ways[i]);
+        compare(i);
+      }
+    CGAL_assertion(ways[best].is_found); // an edge does not join different components
+    return ways[best].route;
   }
 
-  // The four ways (out at top or bottom, in at top or bottom), each by the shortest walk between, where there is one
-  std::vector<Route> find_routes(int r, int s, std::size_t time) const
+  // Regions that meet have a way without a stretch between.
+  void find_any(int r, int s, std::size_t time, Ways& ways)
   {
-    std::vector<Route> routes;
-    for(bool out_at_bottom : {true, false})
-      for(bool in_at_bottom : {false, true})
-        find_walk(out_at_bottom ? region(r).bottom : region(r).top, in_at_bottom ? region(s).bottom : region(s).top, r,
-                  s, time, Route{out_at_bottom, in_at_bottom, {}, 0.}, routes);
-    if(routes.empty() && time < m_at_junction.size())
-      return find_routes(r, s, m_at_junction.size());
-    CGAL_assertion(!routes.empty()); // an edge does not join different components
-    return routes;
+    const auto is_any_found = [&] {
+      return std::any_of(ways.begin(), ways.end(), [](const Way& way) { return way.is_found; });
+    };
+    for(std::size_t i = 0; i < ways.size(); ++i)
+      if(out_of(r, i) == into(s, i))
+        find_way(r, s, i, time, 0., ways[i]);
+    for(double longest = region(r).spacing; !is_any_found() && ways[0].longest < infinity; longest *= 8.)
+      for(std::size_t i = 0; i < ways.size(); ++i)
+        find_way(r, s, i, time, longest < 1e6 * region(r).spacing ? longest : infinity, ways[i]);
+    if(!is_any_found())
+      for(std::size_t i = 0; i < ways.size(); ++i)
+        find_walk(r, s, i, m_at_junction.size(), infinity, ways[i]);
   }
 
-  void find_walk(std::size_t from, std::size_t to, int r, int s, std::size_t time, Route route,
-                 std::vector<Route>& routes) const
+  void find_way(int r, int s, std::size_t i, std::size_t time, double longest, Way& way)
   {
+    if(way.is_found || !(way.longest < longest))
+      return;
+    way.longest = longest;
+    find_walk(r, s, i, time, longest, way);
+  }
+
+  std::size_t out_of(int r, std::size_t way) const { return leaves_at_bottom(way) ? region(r).bottom : region(r).top; }
+  std::size_t into(int s, std::size_t way) const { return enters_at_bottom(way) ? region(s).bottom : region(s).top; }
+
+  void find_walk(int r, int s, std::size_t i, std::size_t time, double longest, Way& way)
+  {
+    const std::size_t from = out_of(r, i), to = into(s, i);
     if(from >= time || to >= time)
       return;
-    struct Reached
-    {
-      double length;
-      int through;
-      std::size_t before;
-    };
-    std::map<std::size_t, Reached> reached;
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    reached[from] = Reached{0., -1, from};
+    reach(from, Reached{0., -1, from});
     queue.emplace(0., from);
     while(!queue.empty() && queue.top().second != to)
     {
       const Entry top = queue.top();
       queue.pop();
-      if(top.first > reached[top.second].length)
+      if(top.first > m_reached[top.second].length)
         continue;
       for(int q : m_at_junction[top.second])
       {
@@ -192,26 +229,43 @@ private:
         if(q == r || q == s || other >= time)
           continue;
         const double length = top.first + region(q).height;
-        const auto known = reached.find(other);
-        if(known != reached.end() && known->second.length <= length)
+        if(length > longest || m_reached[other].length <= length)
           continue;
-        reached[other] = Reached{length, q, top.second};
+        reach(other, Reached{length, q, top.second});
         queue.emplace(length, other);
       }
     }
-    const auto end = reached.find(to);
-    if(end == reached.end())
-      return;
-    route.length_between = end->second.length;
-    for(std::size_t j = to; j != from; j = reached[j].before)
-      route.between.emplace_back(reached[j].through, region(reached[j].through).bottom == j);
-    std::reverse(route.between.begin(), route.between.end());
-    routes.push_back(route);
+    if(m_reached[to].length < infinity)
+    {
+      way.is_found = true;
+      way.route = Route{leaves_at_bottom(i), enters_at_bottom(i), {}, m_reached[to].length};
+      for(std::size_t j = to; j != from; j = m_reached[j].before)
+        way.route.between.emplace_back(m_reached[j].through, region(m_reached[j].through).bottom == j);
+      std::reverse(way.route.between.begin(), way.route.between.end());
+    }
+    for(const std::size_t j : m_touched)
+      m_reached[j] = Reached();
+    m_touched.clear();
+  }
+
+  struct Reached
+  {
+    double length = infinity;
+    int through = -1;
+    std::size_t before = 0;
+  };
+
+  void reach(std::size_t junction, const Reached& reached)
+  {
+    m_reached[junction] = reached;
+    m_touched.push_back(junction);
   }
 
   const Segmentation& m_segmentation;
+  std::vector<Reached> m_reached; // of each junction: only what a walk touched is reset after it
+  std::vector<std::size_t> m_touched;
   std::vector<std::vector<int>> m_at_junction;
-  std::map<std::tuple<int, int, std::size_t>, std::vector<Route>> m_routes;
+  std::map<std::tuple<int, int, std::size_t>, Ways> m_routes;
 };
 
 } // namespace internal

@@ -42,7 +42,7 @@ public:
   int open_leaf(Vertex centre)
   {
     const int r = m_growth.add_region(Region_kind::leaf, centre, m_result.number_of_junctions++);
-    m_growth.open[r].sources.emplace_back(centre, 0.);
+    m_growth.add_source(r, centre, 0.);
     m_front_of[centre] = r;
     m_result.tips.push_back(centre);
     return r;
@@ -205,10 +205,10 @@ private:
       {
         const Vertex a = m_mesh.source(h);
         if(m_growth.open[r].sources.empty() || m_growth.open[r].sources.back().first != a)
-          m_growth.open[r].sources.emplace_back(a, field_below(a, closed));
+          m_growth.add_source(r, a, field_below(a, closed));
         m_front_of[m_mesh.target(h)] = r;
         if(fronts.size() > 1)
-          m_growth.open[r].side.push_back(m_mesh.target(h));
+          m_growth.add_side(r, m_mesh.target(h));
       }
     }
     for(Vertex v : waiting)
@@ -218,23 +218,39 @@ private:
         const int r =
             std::find(opened.begin(), opened.end(), m_front_of[v]) != opened.end() ? m_front_of[v] : opened.front();
         m_growth.open[r].waiting.push_back(v);
-        m_growth.open[r].sources.emplace_back(v, field_below(v, closed));
+        m_growth.add_source(r, v, field_below(v, closed));
       }
     return opened;
   }
 
   // The signed distance of a vertex of the regions above from their common bottom: zero or less.
-  double field_below(Vertex v, const std::vector<int>& closed) const
+  double field_below(Vertex v, const std::vector<int>& closed)
   {
     int r = m_result.field_region[v];
     double result = m_result.field[v];
     while(true)
     {
       result -= m_result.regions[r].height;
-      if(std::find(closed.begin(), closed.end(), r) != closed.end() || m_result.regions[r].parents.empty())
+      if(ends_at(r, closed))
         return (std::min)(result, 0.);
-      r = static_cast<int>(m_result.regions[r].parents.front());
+      r = next_below(r, closed);
     }
+  }
+
+  bool ends_at(int r, const std::vector<int>& closed) const
+  {
+    return m_result.regions[r].parents.empty() || std::find(closed.begin(), closed.end(), r) != closed.end();
+  }
+
+  // The first region below that has a height, or that is one of those closed last. A front that meets others again and
+  // again before it gets on leaves long chains of regions without a height: the way past them is kept.
+  int next_below(int r, const std::vector<int>& closed)
+  {
+    m_below.resize(m_result.regions.size(), -1);
+    int below = m_below[r] >= 0 ? m_below[r] : static_cast<int>(m_result.regions[r].parents.front());
+    while(m_result.regions[below].number_of_levels == 0 && !ends_at(below, closed))
+      below = m_below[below] >= 0 ? m_below[below] : static_cast<int>(m_result.regions[below].parents.front());
+    return m_below[r] = below;
   }
 
   const Mesh& m_mesh;
@@ -242,6 +258,7 @@ private:
   Segmentation& m_result;
   Fronts& m_fronts;
   Uphill_search m_search;
+  std::vector<int> m_below;    // of a region, where it is known: see next_below()
   std::vector<int> m_front_of; // of a free vertex beside a front: the open region of that front
 };
 

@@ -14,7 +14,9 @@
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Fronts.h>
 #include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
+#include <CGAL/Geodesic_remeshing/internal/Top_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
+#include <CGAL/Geodesic_remeshing/internal/complete_regions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +39,8 @@ public:
   Region_growth(const Mesh& mesh, Fast_marching& marching, const std::vector<double>& distance,
                 const Vertex_order& order, double curve_distance)
     : fronts(mesh), m_mesh(mesh), m_marching(marching), m_distance(distance), m_order(order),
-      m_curve_distance(curve_distance), m_top_of(mesh.number_of_vertices(), -1), m_sides(mesh)
+      m_curve_distance(curve_distance), m_top_of(mesh.number_of_vertices(), -1), m_sides(mesh),
+      m_search(mesh, marching.triangulation()), m_disorder(disorder_of(order, distance))
   {
     const std::size_t n = mesh.number_of_vertices();
     result.region.assign(n, -1);
@@ -52,6 +55,7 @@ public:
     std::vector<std::pair<Vertex, double>> sources; // the top: vertices and their (signed) distances from it
     std::vector<Vertex> waiting;                    // vertices that the fronts above had to leave, see Fronts
     std::vector<Vertex> side;                       // free vertices beside the front, if another shares its bridge
+    Vertex lowest;                                  // of the sources
     double offset = 0.;                             // of the top from the sources
   };
 
@@ -71,14 +75,34 @@ public:
     return static_cast<int>(result.regions.size()) - 1;
   }
 
+  void add_source(int r, Vertex v, double distance)
+  {
+    Open_region& region = open[r];
+    region.sources.emplace_back(v, distance);
+    if(!region.lowest.is_valid() || m_order.rank[v] < m_order.rank[region.lowest])
+      region.lowest = v;
+  }
+
+  void add_side(int r, Vertex v)
+  {
+    open[r].side.push_back(v);
+    m_search.add_side(v, r);
+  }
+
   // Ends an open region above a saddle: its height is the distance from its top to the curve of D through the saddle,
   // rounded down to a multiple of the curve distance (paper, section 5).
   void close(int r, Vertex saddle, std::size_t junction)
   {
     Region& region = result.regions[r];
     region.bottom = junction;
-    march(r);
     const bool one_sided = !open[r].side.empty();
+    if(is_flat(r, saddle, one_sided))
+    {
+      if(region.kind == Region_kind::leaf)
+        take_leaf(r);
+      return;
+    }
+    march(r);
     if(one_sided)
       m_sides.mark(r, open[r].side,
                    [&](Vertex v) { return !fronts.is_taken(v) && m_order.rank[v] > m_order.rank[saddle]; });
@@ -120,7 +144,7 @@ public:
     const int r = add_region(Region_kind::root, centre, result.regions[leaf].bottom);
     result.regions[r].children.push_back(leaf);
     result.regions[leaf].parents.push_back(r);
-    open[r].sources.emplace_back(centre, 0.);
+    add_source(r, centre, 0.);
     open[r].offset = result.regions[leaf].height;
     return r;
   }
@@ -177,36 +201,18 @@ public:
     open[r] = Open_region();
   }
 
-  // A vertex that no march has reached, shut in by others, is as its neighbours are.
-  void complete()
-  {
-    std::vector<Vertex> left;
-    for(Vertex v : m_mesh.vertices())
-      if(m_order.rank[v] != Vertex_order::none && (result.region[v] < 0 || result.field_region[v] < 0))
-        left.push_back(v);
-    for(std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
-    {
-      before = left.size();
-      left.erase(std::remove_if(left.begin(), left.end(), [this](Vertex v) { return copy_neighbour(v); }), left.end());
-    }
-    CGAL_postcondition(left.empty());
-  }
+  void complete() { complete_regions(m_mesh, m_order, result); }
 
 private:
-  bool copy_neighbour(Vertex v)
+  // Is it sure that no curve fits between top and bottom? (The march comes nowhere later than along edges, but for what
+  // repeated arrivals leave, far less than a tenth.)
+  bool is_flat(int r, Vertex saddle, bool one_sided)
   {
-    for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-    {
-      const Vertex w = m_mesh.source(h);
-      if(result.region[w] < 0 || result.field_region[w] < 0)
-        continue;
-      own(v, result.region[w], 0.);
-      result.field_region[v] = result.field_region[w];
-      result.field[v] = result.field[w];
-      result.level[v] = result.level[w];
-      return true;
-    }
-    return false;
+    const auto is_below = [&](Vertex v) { return m_order.rank[v] <= m_order.rank[saddle]; };
+    return m_search.ends_within(
+        .9 * m_curve_distance - m_disorder, open[r].lowest, r, one_sided,
+        [&](Vertex v) { return is_unowned(v) && (!one_sided || (!fronts.is_taken(v) && !is_below(v))); },
+        [&](Vertex v) { return is_unowned(v) && is_below(v); });
   }
 
   void own(Vertex v, int r, double field)
@@ -285,6 +291,8 @@ private:
   const double m_curve_distance;
   std::vector<int> m_top_of; // of a vertex: the region closed last whose top it is on
   Bridge_sides m_sides;
+  Top_search m_search;
+  const double m_disorder;
 };
 
 } // namespace internal

@@ -73,6 +73,18 @@ inline void flood_from(const std::vector<Vertex>& roots, const Mesh& mesh, Verte
     order.rank[order.ascending[i]] = static_cast<std::uint32_t>(i);
 }
 
+// How much farther a vertex can be than one of higher rank: nothing, but where there was a flood
+inline double disorder_of(const Vertex_order& order, const std::vector<double>& distance)
+{
+  double result = 0., farthest = 0.;
+  for(Vertex v : order.ascending)
+  {
+    farthest = (std::max)(farthest, distance[v]);
+    result = (std::max)(result, farthest - distance[v]);
+  }
+  return result;
+}
+
 // \pre every connected component has exactly one of the `roots`, and no vertex is isolated
 inline Vertex_order order_vertices(const Mesh& mesh, const std::vector<double>& distance,
                                    const std::vector<Vertex>& roots, const std::vector<Vertex>& vertices)

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Geodesic_remeshing authors
+
+#ifndef CGAL_GEODESIC_REMESHING_INTERNAL_COMPLETE_REGIONS_H
+#define CGAL_GEODESIC_REMESHING_INTERNAL_COMPLETE_REGIONS_H
+
+#include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
+#include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
+#include <CGAL/Geodesic_remeshing/internal/types.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_remeshing {
+namespace internal {
+
+inline bool has_region(const Segmentation& segmentation, Vertex v)
+{
+  return segmentation.region[v] >= 0 && segmentation.field_region[v] >= 0;
+}
+
+inline bool copy_neighbour(const Mesh& mesh, Vertex v, Segmentation& segmentation)
+{
+  for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    const Vertex w = mesh.source(h);
+    if(!has_region(segmentation, w))
+      continue;
+    segmentation.region[v] = segmentation.region[w];
+    segmentation.time[v] = static_cast<std::uint32_t>(segmentation.regions[segmentation.region[w]].bottom);
+    segmentation.field_region[v] = segmentation.field_region[w];
+    segmentation.field[v] = segmentation.field[w];
+    segmentation.level[v] = segmentation.level[w];
+    return true;
+  }
+  return false;
+}
+
+// A vertex that no march has reached, shut in by others, is as its neighbours are.
+inline void complete_regions(const Mesh& mesh, const Vertex_order& order, Segmentation& segmentation)
+{
+  std::vector<Vertex> left;
+  for(Vertex v : mesh.vertices())
+    if(order.rank[v] != Vertex_order::none && !has_region(segmentation, v))
+      left.push_back(v);
+  for(std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
+  {
+    before = left.size();
+    left.erase(std::remove_if(left.begin(), left.end(), [&](Vertex v) { return copy_neighbour(mesh, v, segmentation); }),
+               left.end());
+  }
+  CGAL_postcondition(left.empty());
+}
+
+} // namespace internal
+} // namespace Geodesic_remeshing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_REMESHING_INTERNAL_COMPLETE_REGIONS_H
