@@ -18,6 +18,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
+#include <CGAL/Geodesic_remeshing/internal/find_peaks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,8 @@ public:
     m_spacing = spacing;
     for(std::size_t c = 0; c < m_curves.curves.size(); ++c)
       sample_curve(c);
-    add_peaks();
+    for(Vertex v : find_peaks(m_mesh, m_segmentation)) // nothing else would cover them
+      add_vertex(v, false);
     return m_samples.take();
   }
 
@@ -255,28 +257,6 @@ private:
         if(m_samples.is_free(sample, first))
           m_samples.add(sample);
       }
-    }
-  }
-
-  // A bump that rises more than half a spacing over its last curve gets a sample on its top: nothing else would cover
-  // it.
-  void add_peaks()
-  {
-    const auto& s = m_segmentation;
-    for(Vertex v : m_mesh.vertices())
-    {
-      const Region& region = s.regions[s.field_region[v]];
-      if(s.field[v] - (s.level[v] - 1) * region.spacing < .5 * region.spacing)
-        continue;
-      bool is_peak = true;
-      for(Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      {
-        const Vertex w = m_mesh.source(h);
-        is_peak = is_peak && s.field_region[w] == s.field_region[v] && s.level[w] <= s.level[v] &&
-                  (s.field[w] < s.field[v] || (!(s.field[v] < s.field[w]) && w < v));
-      }
-      if(is_peak)
-        add_vertex(v, false);
     }
   }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/Search_effort.h>
 #include <CGAL/Geodesic_remeshing/internal/distance_to_ring.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
@@ -23,16 +24,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-// How long and how freely is searched.
-struct Search_effort
-{
-  std::size_t nodes = 40;           // looked at in one search, times its depth
-  std::size_t settlements = 4;      // tried in one search
-  int barrier = 0;                  // the most by which the energy may be above that of the start
-  double least_angle = 30.;         // around what is found
-  bool finds_intersections = false; // which what is found is refused for
-};
 
 // Removes irregular vertices. Most of them are pairs of a vertex of valence 5 and one of valence 7, the dislocations of
 // a triangular lattice: flips that leave the energy as it is let such a pair glide, and where it meets its opposite
