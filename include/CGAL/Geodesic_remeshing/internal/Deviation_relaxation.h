@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <numeric>
 #include <vector>
 
@@ -45,8 +46,10 @@ public:
   {}
 
   // The larger the worth, the nearer to the surface and the worse the angles. Nothing is done where the deviations are
-  // below the least: on a plane they are rounding.
-  void run(double worth, double least);
+  // below the least: on a plane they are rounding. A sweep for each length of the steps, in parts of the edges'
+  // lengths: each lets neighbors follow one another, and at the same cost of time three sweeps gain more than one with
+  // all steps.
+  void run(double worth, double least, std::initializer_list<double> parts);
 
 private:
   using Spot = Remeshed_surface::Spot;
@@ -120,7 +123,7 @@ inline void Deviation_relaxation::step(const Index v, const Vertex_ring& ring, c
   }
 }
 
-inline void Deviation_relaxation::run(const double worth, const double least)
+inline void Deviation_relaxation::run(const double worth, const double least, const std::initializer_list<double> parts)
 {
   const Lean_triangulation& table = m_remeshed.connectivity();
   std::vector<double> areas(table.face_slots(), 0.), squares(table.face_slots(), 0.);
@@ -138,8 +141,7 @@ inline void Deviation_relaxation::run(const double worth, const double least)
   if(!(sum > area * CGAL::square(least)) || !std::isfinite(sum))
     return;
   m_worth = worth * static_cast<double>(areas.size()) / sum;
-  // Each lets neighbors follow one another: at the same cost of time three sweeps gain more than one with all steps.
-  for(const double part : {.15, .08, .04})
+  for(const double part : parts)
     for_each_ring(m_remeshed, [&](const Index v, const Vertex_ring& ring) {
       if(!m_remeshed.is_on_line(v))
         step(v, ring, part);

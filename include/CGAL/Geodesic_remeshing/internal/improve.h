@@ -212,9 +212,13 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   // .55, .7 and 1 made the RMS distance 15, 20, 23, 25 and 27 percent less, and the mean angle .9 and .4 degrees more,
   // the same, .4 and 1.1 degrees less. The descent at the largest deviations comes after, as these
   // steps do not ask for the input's vertices.
+  // Uniform meshes get one sweep of it for their angles, .6 degrees in the mean of eight models at 5,000 vertices and 3
+  // percent of the RMS distance, for a tenth of the time; from 10,000 vertices on the angles are good without.
   if(parameters.nearness > 0.)
     Deviation_relaxation(remeshed, nearest, badness_of_angle(40.))
-        .run(.7 * parameters.nearness, 1e-6 * parameters.edge_length);
+        .run(.7 * parameters.nearness, 1e-6 * parameters.edge_length, {.15, .08, .04});
+  else if(remeshed.metric().is_uniform() && parameters.number_of_vertices < 10000)
+    Deviation_relaxation(remeshed, nearest, badness_of_angle(40.)).run(.1, 1e-6 * parameters.edge_length, {.06});
   // A hundredth of the vertices: with twice as many the Hausdorff distance is nearly the same, and the mean angle .2
   // degrees less. With a sizing, which may have seen to the deviations and has spent angles, half as many. A sphere of
   // a thousand vertices deviates by a fiftieth of an edge.
