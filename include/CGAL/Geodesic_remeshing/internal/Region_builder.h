@@ -189,7 +189,7 @@ private:
     for(int c : closed)
     {
       waiting.insert(waiting.end(), m_growth.open[c].waiting.begin(), m_growth.open[c].waiting.end());
-      m_growth.open[c] = Region_growth::Open_region();
+      m_growth.open[c] = Open_region();
     }
     const auto fronts = m_fronts.fronts_at(bridge);
     for(const auto& front : fronts)

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_REGION_GROWTH_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_REGION_GROWTH_H
 
+#include <CGAL/Geodesic_remeshing/internal/Open_region.h>
 #include <CGAL/Geodesic_remeshing/internal/Bridge_sides.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Fronts.h>
@@ -49,15 +50,6 @@ public:
     result.level.assign(n, 0);
     result.time.assign(n, 0);
   }
-
-  struct Open_region
-  {
-    std::vector<std::pair<Vertex, double>> sources; // the top: vertices and their (signed) distances from it
-    std::vector<Vertex> waiting;                    // vertices that the fronts above had to leave, see Fronts
-    std::vector<Vertex> side;                       // free vertices beside the front, if another shares its bridge
-    Vertex lowest;                                  // of the sources
-    double offset = 0.;                             // of the top from the sources
-  };
 
   Segmentation result;
   Fronts fronts;

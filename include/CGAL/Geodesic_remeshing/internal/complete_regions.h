@@ -55,8 +55,9 @@ inline void complete_regions(const Mesh& mesh, const Vertex_order& order, Segmen
   for(std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
   {
     before = left.size();
-    left.erase(std::remove_if(left.begin(), left.end(), [&](Vertex v) { return copy_neighbour(mesh, v, segmentation); }),
-               left.end());
+    left.erase(
+        std::remove_if(left.begin(), left.end(), [&](Vertex v) { return copy_neighbour(mesh, v, segmentation); }),
+        left.end());
   }
   CGAL_postcondition(left.empty());
 }
