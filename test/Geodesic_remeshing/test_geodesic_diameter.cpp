@@ -138,3 +138,30 @@ TEST(Roots, one_for_every_component)
   EXPECT_NEAR(std::abs(mesh.point(roots[0]).z()), 3., 0.05);
   EXPECT_NEAR(std::abs(mesh.point(roots[1]).z()), 2., 0.05);
 }
+
+// Where many edges are far shorter than in the mean a search in any order would take for ever.
+TEST(Roots, of_a_surface_whose_edges_differ_much)
+{
+  constexpr int n = 100;
+  Mesh mesh;
+  const auto coordinate = [](const int i) {
+    return std::copysign(std::pow(1.05, std::abs(i - n / 2)) - 1., i - n / 2);
+  };
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      mesh.add_vertex(Point(coordinate(i), coordinate(j), 0.));
+  const auto vertex = [](const int i, const int j) { return Vertex(static_cast<Mesh::size_type>(i * (n + 1) + j)); };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+  std::size_t number;
+  const std::vector<std::uint32_t> component_of = components_of(mesh, number);
+  const std::vector<Vertex> roots = find_roots(mesh, Intrinsic_triangulation(mesh), component_of, number);
+  ASSERT_EQ(roots.size(), 1u);
+  const Point root = mesh.point(roots.front());
+  EXPECT_DOUBLE_EQ(std::abs(root.x()), coordinate(n));
+  EXPECT_DOUBLE_EQ(std::abs(root.y()), coordinate(n));
+}

@@ -1,4 +1,3 @@
-#include "cut_along_curves.h"
 #include "made_surfaces.h"
 #include "segmented_surface.h"
 #include "test_support.h"
@@ -228,8 +227,10 @@ TEST_P(Strips, have_Euler_characteristics_that_add_up)
     const Segmented_surface s(mesh, std::sqrt(.75) * edge_length_for(area(mesh), vertices));
     const Level_curves curves = Curve_tracer(s.working.mesh, s.segmentation).trace();
     const auto strips = find_strips(s.working.mesh, curves);
-    const Mesh cut = support::cut_along_curves(s.working.mesh, curves, strips.first); // and looked at again
-    const auto strip = cut.property_map<Face, std::uint32_t>("f:strip").value();
+    // cut along all curves and looked at again
+    const auto label = [&](std::size_t interval) { return static_cast<int>(strips.first[interval]); };
+    const Mesh cut = Surface_cutter<decltype(label)>(s.working.mesh, curves, label).run();
+    const auto strip = cut.property_map<Face, int>("f:region").value();
     const auto pieces = support::topologies(cut, [&](Face f) { return strip[f]; });
     const Topology whole = support::topology_of(mesh);
     EXPECT_EQ(support::topology_of(cut), whole);

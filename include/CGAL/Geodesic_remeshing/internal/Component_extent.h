@@ -12,9 +12,9 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Component_numbers.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
-#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <algorithm>
 #include <cmath>

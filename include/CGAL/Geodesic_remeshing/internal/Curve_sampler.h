@@ -17,8 +17,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Sample_set.h>
 #include <CGAL/Geodesic_remeshing/internal/Sampled_path.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
-#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 #include <CGAL/Geodesic_remeshing/internal/find_peaks.h>
+#include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>

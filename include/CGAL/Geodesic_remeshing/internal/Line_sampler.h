@@ -12,8 +12,8 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample.h>
-#include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
 #include <vector>
 

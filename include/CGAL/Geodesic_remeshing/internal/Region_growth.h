@@ -10,10 +10,10 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_REGION_GROWTH_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_REGION_GROWTH_H
 
-#include <CGAL/Geodesic_remeshing/internal/Open_region.h>
 #include <CGAL/Geodesic_remeshing/internal/Bridge_sides.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Fronts.h>
+#include <CGAL/Geodesic_remeshing/internal/Open_region.h>
 #include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
 #include <CGAL/Geodesic_remeshing/internal/Top_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>

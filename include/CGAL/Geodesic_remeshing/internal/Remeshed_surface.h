@@ -17,9 +17,9 @@
 #include <CGAL/Geodesic_remeshing/internal/Nested_blocks.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Valence_energy.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
-#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <array>
 #include <cmath>

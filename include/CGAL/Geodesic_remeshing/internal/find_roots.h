@@ -16,16 +16,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <functional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// How far the vertices are from the sources along edges. That is up to a seventh more than the geodesic distance, and
-// comes for a fraction of its time: enough to tell which vertex is about the farthest. The vertices are taken in steps
-// of one mean edge length, in any order within a step and as often as they get nearer.
+// How far the vertices are from the sources along edges (Dijkstra). That is up to a seventh more than the geodesic
+// distance, and comes for a fraction of its time: enough to tell which vertex is about the farthest.
 class Edge_distances
 {
 public:
@@ -33,72 +34,36 @@ public:
 
   explicit Edge_distances(const Intrinsic_triangulation& triangulation)
     : m_triangulation(triangulation), m_distance(triangulation.number_of_vertices())
-  {
-    double sum = 0.;
-    std::size_t number = 0;
-    for(Index v = 0; v < m_distance.size(); ++v)
-      for(auto spoke = triangulation.begin(v); spoke != triangulation.end(v); ++spoke, ++number)
-        sum += spoke->length;
-    m_step = number > 0 ? sum / static_cast<double>(number) : 0.;
-  }
+  {}
 
   const std::vector<double>& from(const std::vector<Vertex>& sources)
   {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     std::fill(m_distance.begin(), m_distance.end(), infinity);
+    const auto reach = [&](const Index v, const double distance) {
+      if(!(distance < m_distance[v]))
+        return;
+      m_distance[v] = distance;
+      queue.emplace(distance, v);
+    };
     for(const Vertex v : sources)
+      reach(static_cast<Index>(v), 0.);
+    while(!queue.empty())
     {
-      m_distance[v] = 0.;
-      m_now.push_back(static_cast<Index>(v));
-    }
-    double limit = m_step;
-    for(take_up_to(limit); leave_those_beyond(limit); take_up_to(limit))
-    {
-      limit = infinity;
-      for(const Index v : m_later)
-        limit = (std::min)(limit, m_distance[v]);
-      limit += m_step;
-      std::copy_if(m_later.begin(), m_later.end(), std::back_inserter(m_now),
-                   [&](const Index v) { return m_distance[v] <= limit; });
+      const auto [distance, v] = queue.top();
+      queue.pop();
+      if(m_distance[v] < distance)
+        continue; // nearer since
+      for(auto spoke = m_triangulation.begin(v); spoke != m_triangulation.end(v); ++spoke)
+        reach(spoke->neighbor, distance + spoke->length);
     }
     return m_distance;
   }
 
 private:
-  // Those of `m_now` and what they bring nearer than `limit`; the rest of that is for later.
-  void take_up_to(const double limit)
-  {
-    while(!m_now.empty())
-    {
-      const Index v = m_now.back();
-      m_now.pop_back();
-      for(auto spoke = m_triangulation.begin(v); spoke != m_triangulation.end(v); ++spoke)
-      {
-        const Index w = spoke->neighbor;
-        const double distance = m_distance[v] + spoke->length;
-        if(!(distance < m_distance[w]))
-          continue;
-        const bool is_queued = m_distance[w] < infinity && m_distance[w] > limit;
-        m_distance[w] = distance;
-        if(distance <= limit)
-          m_now.push_back(w);
-        else if(!is_queued)
-          m_later.push_back(w);
-      }
-    }
-  }
-
-  // Of those for later. Are there any?
-  bool leave_those_beyond(const double limit)
-  {
-    m_later.erase(std::remove_if(m_later.begin(), m_later.end(), [&](const Index v) { return m_distance[v] <= limit; }),
-                  m_later.end());
-    return !m_later.empty();
-  }
-
   const Intrinsic_triangulation& m_triangulation;
-  double m_step;
   std::vector<double> m_distance;
-  std::vector<Index> m_now, m_later;
 };
 
 // Of every connected component the vertex farthest, straight through space, from the middle of the component

@@ -12,8 +12,8 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
-#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 
 #include <algorithm>
 #include <array>

@@ -12,9 +12,9 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/locate_corners.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
-#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 
 #include <array>
 #include <cstddef>

@@ -18,12 +18,12 @@
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
+#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/unpack_parameters.h>
-#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <algorithm>

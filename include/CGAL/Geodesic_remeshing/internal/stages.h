@@ -10,17 +10,17 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_STAGES_H
 
-#include <CGAL/Geodesic_remeshing/internal/find_roots.h>
 #include <CGAL/Geodesic_remeshing/internal/Component_extent.h>
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
-#include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/cut_along_lines.h>
+#include <CGAL/Geodesic_remeshing/internal/cut_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/find_roots.h>
 #include <CGAL/Geodesic_remeshing/internal/line_regions.h>
+#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/march_from_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/region_sweep.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
-#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 
 #include <cstdint>
 #include <vector>
