@@ -620,6 +620,59 @@ TEST_F(Command_line, input_that_is_no_mesh_is_repaired_or_refused)
   expect_bad_input(index, "index.off");
 }
 
+namespace {
+
+// The surface of cubes of a raster, a character each
+std::string off_of_cubes(const std::array<const char*, 3>& layers, int width)
+{
+  const auto is_solid = [&](int x, int y, int z) {
+    return x >= 0 && x < width && y >= 0 && y < width && z >= 0 && z < 3 && layers[z][x + width * y] == '#';
+  };
+  const int n = width + 1;
+  std::ostringstream points, faces;
+  int number = 0;
+  for(int i = 0; i < n * n * 4; ++i)
+    points << i % n << " " << i / n % n << " " << i / (n * n) << "\n";
+  for(int i = 0; i < width * width * 3; ++i)
+    for(int axis = 0; axis < 3; ++axis)
+      for(const int side : {0, 1})
+      {
+        const std::array<int, 3> cube = {{i % width, i / width % width, i / (width * width)}};
+        std::array<int, 3> other = cube, corner = cube;
+        other[axis] += 2 * side - 1;
+        corner[axis] += side;
+        if(!is_solid(cube[0], cube[1], cube[2]) || is_solid(other[0], other[1], other[2]))
+          continue;
+        const std::array<int, 3> step = {{1, n, n * n}};
+        const int v = corner[0] + n * (corner[1] + n * corner[2]);
+        const int a = step[(axis + (side ? 1 : 2)) % 3], b = step[(axis + (side ? 2 : 1)) % 3];
+        faces << "4 " << v << " " << v + a << " " << v + a + b << " " << v + b << "\n";
+        ++number;
+      }
+  return "OFF\n" + std::to_string(n * n * 4) + " " + std::to_string(number) + " 0\n" + points.str() + faces.str();
+}
+
+} // namespace
+
+// Cubes that touch along an edge stay solids: two of them, or one where others join them, with a handle
+TEST_F(Command_line, solids_that_touch_along_an_edge_are_parted)
+{
+  const auto of_output = [&](const std::array<const char*, 3>& layers, int width) {
+    const Outcome outcome = run(file("cubes.off", off_of_cubes(layers, width)) + " " + output() +
+                                " --vertices 400 --check --report " + output("r.json"));
+    EXPECT_NE(outcome.out.find("repaired the input: parted"), std::string::npos) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out.find("NO"), std::string::npos) << outcome.out;
+    const auto result = nlohmann::json::parse(contents(output("r.json")))["output"];
+    return std::array<int, 3>{{result["components"], result["genus"], result["boundary_loops"]}};
+  };
+  using Shape = std::array<int, 3>;
+  EXPECT_EQ(of_output({{"#..#", "....", "...."}}, 2), (Shape{{2, 0, 0}}));
+  EXPECT_EQ(of_output({{"####", "#..#", "####"}}, 2), (Shape{{1, 1, 0}}));
+  // around a vertex at which edges meet, along three of which cubes touch
+  EXPECT_EQ(of_output({{"#..#", ".##.", "...."}}, 2), (Shape{{4, 0, 0}}));
+  EXPECT_EQ(of_output({{"#########", "#.#.#.#.#", "#########"}}, 3), (Shape{{1, 4, 0}}));
+}
+
 TEST_F(Command_line, faces_with_points_of_their_own_are_joined)
 {
   const std::string soup =

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_REPAIR_H
 
 #include "soup.h"
+#include "touching_edges.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -82,6 +83,7 @@ inline std::vector<std::string> repair(Soup& soup)
        "duplicate faces");
   if(soup.polygons.empty())
     throw Input_error("has no face left after repair");
+  tell(repairs, "parted", Touching_edges(soup).part(), "edges with four faces or more, along which solids touch");
   check_orientability(soup, sorted_sides(soup));
   const std::vector<Polygon> before = soup.polygons;
   const std::size_t points = soup.points.size();
