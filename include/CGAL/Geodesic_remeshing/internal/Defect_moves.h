@@ -41,8 +41,8 @@ public:
   // place.
   Defect_moves(Remeshed_surface& remeshed, const double tolerance, const Search_effort& effort)
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_stamp(m_table.vertex_slots(), 0),
-      m_changed(m_table.vertex_slots(), 0), m_valence(m_table.vertex_slots(), 0), m_refusal(m_table.vertex_slots()),
-      m_tolerance(tolerance), m_effort(effort)
+      m_changed(m_table.vertex_slots(), 0), m_seen(m_table.vertex_slots(), 0), m_valence(m_table.vertex_slots(), 0),
+      m_refusal(m_table.vertex_slots()), m_tolerance(tolerance), m_effort(effort)
   {
     note_valences();
   }
@@ -65,7 +65,7 @@ private:
     std::size_t size = 0;
   };
   using Corners = std::array<Index, 4>;
-  // A search that found nothing: when, how deep, and the vertices whose edges it looked at.
+  // A search that found nothing: when, how deep, and the vertices whose edges it looked at, each once.
   struct Refusal
   {
     std::size_t time = 0, depth = 0, begin = 0, end = 0;
@@ -81,6 +81,7 @@ private:
   void note_flips();
   void note_change(Index v);
   void note_visits(const Corners& corners);
+  void forget_old_visits();
   bool is_refused(Index v, std::size_t depth) const;
 
   Remeshed_surface& m_remeshed;
@@ -91,10 +92,11 @@ private:
   std::vector<std::size_t> m_stamp;
   std::size_t m_time = 0;
   std::vector<std::size_t> m_changed; // when edges at a vertex or near it were flipped last
+  std::vector<std::size_t> m_seen;    // the search that looked at a vertex last
   std::vector<Index> m_valence;       // at the end of the last sweep
   std::vector<Refusal> m_refusal;
   std::vector<Index> m_visited;
-  std::size_t m_nodes_left = 0, m_settlements_left = 0;
+  std::size_t m_search = 0, m_nodes_left = 0, m_settlements_left = 0;
   int m_found = 0;
   double m_tolerance;
   Search_effort m_effort;
@@ -105,6 +107,7 @@ inline int Defect_moves::sweep(const std::size_t depth)
 {
   int total = 0;
   note_flips();
+  forget_old_visits();
   for(Index v = 0; v < m_table.vertex_slots(); ++v)
   {
     if(m_table.is_removed(v) || !m_remeshed.energy().is_irregular(v) || is_refused(v, depth))
@@ -114,10 +117,12 @@ inline int Defect_moves::sweep(const std::size_t depth)
     m_settlements_left = m_effort.settlements;
     m_path.clear();
     const std::size_t begin = m_visited.size();
+    ++m_search;
     ++m_time;
     m_remeshed.record();
     if(search({{v, v, v, v}}, depth, 0, Lean_triangulation::none))
     {
+      m_visited.resize(begin);
       total -= m_found;
       for(const Corners& corners : m_path)
         for(const Index w : corners)
@@ -155,7 +160,26 @@ inline void Defect_moves::note_change(const Index v)
 
 inline void Defect_moves::note_visits(const Corners& corners)
 {
-  m_visited.insert(m_visited.end(), corners.begin(), corners.end());
+  for(const Index v : corners)
+    if(m_seen[v] != m_search)
+    {
+      m_seen[v] = m_search;
+      m_visited.push_back(v);
+    }
+}
+
+// Those of refusals that later searches from the same vertices have replaced
+inline void Defect_moves::forget_old_visits()
+{
+  std::vector<Index> visited;
+  for(Refusal& refusal : m_refusal)
+  {
+    const std::size_t begin = visited.size();
+    visited.insert(visited.end(), m_visited.begin() + refusal.begin, m_visited.begin() + refusal.end);
+    refusal.begin = begin;
+    refusal.end = visited.size();
+  }
+  m_visited.swap(visited);
 }
 
 inline bool Defect_moves::is_refused(const Index v, const std::size_t depth) const
