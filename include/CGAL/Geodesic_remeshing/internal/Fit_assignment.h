@@ -16,6 +16,7 @@
 #include <CGAL/Geodesic_remeshing/internal/fit_samples.h>
 
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,15 @@ private:
     Index next, previous;
   };
 
-  Foot first_foot(const Fit_sample& sample, const Nearest_vertices& nearest) const;
+  // The vertices of the triangulation by the faces of the input where they are
+  struct Vertices_of_faces
+  {
+    std::vector<Index> first, vertices;
+    explicit Vertices_of_faces(const Remeshed_surface& remeshed);
+  };
+
+  Foot foot_around(Index v, const Fit_sample& sample) const;
+  Foot first_foot(const Fit_sample& sample, const Nearest_vertices& nearest, const Vertices_of_faces& in_faces) const;
   void unlink(Index i);
 
   const Remeshed_surface& m_remeshed;
@@ -109,38 +118,64 @@ inline Fit_assignment::Fit_assignment(const Remeshed_surface& remeshed, std::vec
     m_links(m_samples.size(), Link{none, none}), m_first(m_table.face_slots(), none)
 {
   const Nearest_vertices nearest(remeshed);
+  const Vertices_of_faces in_faces(remeshed);
   for(Index i = 0; i < m_samples.size(); ++i)
   {
-    const Foot foot = first_foot(m_samples[i], nearest);
+    const Foot foot = first_foot(m_samples[i], nearest, in_faces);
     if(foot.face != none)
       assign(i, summary(foot));
   }
 }
 
-inline Fit_assignment::Foot Fit_assignment::first_foot(const Fit_sample& sample, const Nearest_vertices& nearest) const
+inline Fit_assignment::Vertices_of_faces::Vertices_of_faces(const Remeshed_surface& remeshed)
+  : first(remeshed.walker().triangulation().face_slots() + 1, 0)
 {
-  const Lean_triangulation& input = m_remeshed.walker().triangulation();
-  Index vertex = none;
-  double least = infinity;
-  for(Index h = 4 * sample.face; h < 4 * sample.face + 3; ++h)
-  {
-    const Index v = nearest.vertex[input.source(h)];
-    const double distance = v == none ? infinity : CGAL::squared_distance(sample.point, m_remeshed.spot(v).point);
-    if(distance < least)
-    {
-      least = distance;
-      vertex = v;
-    }
-  }
+  const Lean_triangulation& table = remeshed.connectivity();
+  const auto face_of = [&](const Index v) { return static_cast<Index>(remeshed.spot(v).place.face); };
+  for(Index v = 0; v < table.vertex_slots(); ++v)
+    if(!table.is_removed(v))
+      ++first[face_of(v)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  vertices.resize(first.back());
+  for(Index v = table.vertex_slots(); v-- > 0;)
+    if(!table.is_removed(v))
+      vertices[--first[face_of(v)]] = v;
+}
+
+inline Fit_assignment::Foot Fit_assignment::foot_around(const Index v, const Fit_sample& sample) const
+{
   Foot best{none, {}, infinity};
-  if(vertex == none)
+  if(v == none)
     return best;
-  m_table.for_each_outgoing(vertex, [&](const Index h) {
+  m_table.for_each_outgoing(v, [&](const Index h) {
     const Foot foot = m_search.foot_in(Lean_triangulation::face(h), sample.point, sample.normal);
     if(foot.judged_distance < best.judged_distance)
       best = foot;
   });
   return m_search.run(best.face, sample.point, sample.normal);
+}
+
+// From the vertices near the corners of the input's face, and from one within the face where it is larger than the
+// triangles: from a corner far away a search may end on the other side of a thin wall.
+inline Fit_assignment::Foot Fit_assignment::first_foot(const Fit_sample& sample, const Nearest_vertices& nearest,
+                                                       const Vertices_of_faces& in_faces) const
+{
+  constexpr Index most = 16; // of those within, evenly from all
+  const Lean_triangulation& input = m_remeshed.walker().triangulation();
+  const auto nearer_of = [&](const Index v, const Index w) {
+    const auto distance = [&](const Index x) {
+      return x == none ? infinity : CGAL::squared_distance(sample.point, m_remeshed.spot(x).point);
+    };
+    return distance(w) < distance(v) ? w : v;
+  };
+  Index at_corner = none, within = none;
+  for(Index h = 4 * sample.face; h < 4 * sample.face + 3; ++h)
+    at_corner = nearer_of(at_corner, nearest.vertex[input.source(h)]);
+  const Index begin = in_faces.first[sample.face], end = in_faces.first[sample.face + 1];
+  for(Index i = begin; i < end; i += (end - begin + most - 1) / most)
+    within = nearer_of(within, in_faces.vertices[i]);
+  const Foot foot = foot_around(at_corner, sample), other = foot_around(within, sample);
+  return other.judged_distance < foot.judged_distance ? other : foot;
 }
 
 inline void Fit_assignment::unlink(const Index i)

@@ -15,7 +15,9 @@
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -76,12 +78,8 @@ private:
     return cross_product(point(m_table.source(4 * f + 1)) - p, point(m_table.source(4 * f + 2)) - p);
   }
   double area(const Index f) const { return .5 * std::sqrt(normal(f).squared_length()); }
-  Foot search(Index& start, const Index v, const Point& p, const Vector& normal)
-  {
-    const Foot foot = m_search.run(start == none ? Index(m_remeshed.spot(v).place.face) : start, p, normal);
-    start = foot.face;
-    return foot;
-  }
+  template <std::size_t n>
+  Foot search(Index& start, const std::array<Index, n>& corners, const Point& p, const Vector& normal) const;
 
   const Remeshed_surface& m_remeshed;
   const Lean_triangulation& m_table;
@@ -89,19 +87,41 @@ private:
   std::vector<Index> m_center, m_middle; // faces of the input
 };
 
+// From where it was found last. What is far from there is also sought from where the corners are: beside an edge of the
+// input the way may lead into another valley of the distance.
+template <std::size_t n>
+Fit_probes::Foot Fit_probes::search(Index& start, const std::array<Index, n>& corners, const Point& p,
+                                    const Vector& normal) const
+{
+  constexpr double large = .05; // of the squared length of an edge
+  const auto from = [&](const Index f) { return m_search.run(f, p, normal); };
+  const auto place = [&](const Index v) { return Index(m_remeshed.spot(v).place.face); };
+  Foot best = from(start == none ? place(corners[0]) : start);
+  if(best.judged_distance > large * CGAL::squared_distance(point(corners[0]), point(corners[1])))
+    for(const Index v : corners)
+    {
+      const Foot foot = from(place(v));
+      if(foot.judged_distance < best.judged_distance)
+        best = foot;
+    }
+  start = best.face;
+  return best;
+}
+
 inline Fit_probes::Foot Fit_probes::at_center(const Index f)
 {
   const Index u = m_table.source(4 * f), v = m_table.source(4 * f + 1), w = m_table.source(4 * f + 2);
-  return search(m_center[f], u, CGAL::centroid(point(u), point(v), point(w)), normal(f));
+  return search(m_center[f], std::array<Index, 3>{{u, v, w}}, CGAL::centroid(point(u), point(v), point(w)), normal(f));
 }
 
 inline Fit_probes::Foot Fit_probes::at_middle(const Index h)
 {
-  const Index o = m_table.opposite(h), v = m_table.source(h);
+  const Index o = m_table.opposite(h), v = m_table.source(h), w = m_table.target(h);
   Vector sum = normal(Lean_triangulation::face(h));
   if(o != none)
     sum = sum + normal(Lean_triangulation::face(o));
-  return search(m_middle[o == none || h < o ? h : o], v, CGAL::midpoint(point(v), point(m_table.target(h))), sum);
+  return search(m_middle[o == none || h < o ? h : o], std::array<Index, 2>{{v, w}}, CGAL::midpoint(point(v), point(w)),
+                sum);
 }
 
 inline double Fit_probes::face_cost(const Index f, const Fit_cost& cost)
