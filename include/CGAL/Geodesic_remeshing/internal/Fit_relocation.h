@@ -60,6 +60,10 @@ private:
   bool split_an_edge(Index f, double& change);
   bool collapse(Index v, double& change);
   bool collapse_next(double gain);
+  bool collapse_a_corner(Index f, double& change);
+  bool split_next(double gain, double deviation);
+  bool relocate_to(Index f);
+  bool relocate_from(Index f, double deviation);
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
@@ -67,7 +71,7 @@ private:
   Fit_probes& m_probes;
   Fit_steps& m_steps;
   std::vector<Item> m_faces, m_vertices; // the most costly faces first, the least costly vertices first
-  std::size_t m_next_vertex = 0;
+  std::size_t m_next_vertex = 0, m_next_face = 0;
   Fit_zone m_zone;
 };
 
@@ -99,7 +103,7 @@ inline void Fit_relocation::rank()
 {
   m_faces.clear();
   m_vertices.clear();
-  m_next_vertex = 0;
+  m_next_vertex = m_next_face = 0;
   std::vector<double> costs(m_table.face_slots(), 0.);
   for(Index f = 0; f < m_table.face_slots(); ++f)
     if(!m_table.is_removed_face(f))
@@ -221,6 +225,55 @@ inline bool Fit_relocation::collapse_next(const double gain)
   return false;
 }
 
+inline bool Fit_relocation::collapse_a_corner(const Index f, double& change)
+{
+  const std::array<Index, 3> corners = {{m_table.source(4 * f), m_table.source(4 * f + 1), m_table.source(4 * f + 2)}};
+  const Fit_steps::Mark mark = m_steps.mark();
+  for(const Index v : corners)
+  {
+    if(m_remeshed.is_free(v) && collapse(v, change) && change < 0.)
+      return true;
+    m_steps.undo_to(mark);
+  }
+  return false;
+}
+
+// Puts a vertex in at one of the next few faces that do not deviate so much.
+inline bool Fit_relocation::split_next(const double gain, const double deviation)
+{
+  constexpr int trials = 4;
+  const Fit_steps::Mark mark = m_steps.mark();
+  for(int trial = 0; trial < trials && m_next_face < m_faces.size(); ++m_next_face)
+  {
+    const Index f = m_faces[m_next_face].at;
+    if(m_table.is_removed_face(f) || largest_deviation(f) > deviation)
+      continue;
+    ++trial;
+    double loss;
+    if(split_an_edge(f, loss) && loss < gain)
+    {
+      ++m_next_face;
+      return true;
+    }
+    m_steps.undo_to(mark);
+  }
+  return false;
+}
+
+inline bool Fit_relocation::relocate_to(const Index f)
+{
+  double change;
+  return split_an_edge(f, change) && collapse_next(-change);
+}
+
+// Where vertices crowd, at the rim of a thin sheet or in a narrow fillet, their angles keep them from where they should
+// be.
+inline bool Fit_relocation::relocate_from(const Index f, const double deviation)
+{
+  double change;
+  return collapse_a_corner(f, change) && split_next(-change, deviation);
+}
+
 inline std::size_t Fit_relocation::run(const double deviation)
 {
   rank();
@@ -235,8 +288,13 @@ inline std::size_t Fit_relocation::run(const double deviation)
       continue;
     m_steps.begin_trial();
     const Fit_steps::Mark start = m_steps.mark();
-    double change;
-    if(split_an_edge(item.at, change) && collapse_next(-change))
+    bool is_done = relocate_to(item.at);
+    if(!is_done)
+    {
+      m_steps.undo_to(start);
+      is_done = relocate_from(item.at, deviation);
+    }
+    if(is_done)
       ++number;
     else
       m_steps.undo_to(start);
