@@ -19,6 +19,7 @@
 #include "command_line/report.h"
 #include "command_line/sizing.h"
 #include "command_line/stage_files.h"
+#include "command_line/thin_places.h"
 #include "command_line/threads.h"
 #include "command_line/transfer.h"
 
@@ -211,6 +212,8 @@ void run(const Options& options)
   transfer.run();
   if(!options.quiet && !(options.feature_angle > 0.))
     tell_hint(command_line::hint_at_sharp_edges(input.mesh, report.summary.edge_length, output, is_line));
+  if(!options.quiet)
+    tell_hint(command_line::Thin_places(input.mesh, output).hint(options));
 
   files.write(options.output,
               [&](std::ostream& out) { transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output); });

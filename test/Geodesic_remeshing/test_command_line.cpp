@@ -836,6 +836,47 @@ TEST_F(Command_line, hints_at_options_that_mend_the_input)
   EXPECT_EQ(hint(mesh("nefertiti"), ""), ""); // a long boundary is kept anyway
 }
 
+namespace {
+
+// Two pieces of round walls, the outer one higher
+std::string off_of_walls(double gap, double shift)
+{
+  std::ostringstream points, faces;
+  for(const double radius : {.3, .3 + gap})
+    for(int i = 0; i <= 40; ++i)
+      for(int j = 0; j <= 10; ++j)
+        points << radius * std::cos(.05 * i) + (radius > .3 ? shift : 0.) << " " << radius * std::sin(.05 * i) << " "
+               << (radius > .3 ? .2 : .1) * j << "\n";
+  for(int f = 0; f < 800; ++f)
+  {
+    const int v = f / 400 * 451 + f % 400 / 10 * 11 + f % 10;
+    faces << "4 " << v << " " << v + 11 << " " << v + 12 << " " << v + 1 << "\n";
+  }
+  return "OFF\n902 800 0\n" + points.str() + faces.str();
+}
+
+} // namespace
+
+// As the improvement finds a way where there is one, without it. The number that is named is one that does.
+TEST_F(Command_line, hints_at_thin_places)
+{
+  const auto hint = [&](const std::string& off, const std::string& target) {
+    return run(file("walls.off", off) + " " + output() + target + " --iterations 0").err;
+  };
+  const std::string thin = off_of_walls(.015, 0.), said = hint(thin, " --vertices 40");
+  const std::size_t number = said.find(" --vertices"), end = said.find(", with");
+  ASSERT_NE(end, std::string::npos) << said;
+  EXPECT_NE(said.find("pairs of faces intersect: walls or gaps are thinner than edges are long there (about --ver"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(hint(thin, said.substr(number, end - number)), "");
+  EXPECT_NE(hint(thin, " --edge-length .25").find("(about --edge-length 0.0"), std::string::npos);
+  EXPECT_NE(hint(off_of_walls(1e-5, 0.), " --vertices 400").find("which no number of vertices parts"),
+            std::string::npos);
+  EXPECT_NE(hint(off_of_walls(.015, .05), " --vertices 400").find("the input intersects itself there"),
+            std::string::npos);
+}
+
 // Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong
 TEST_F(Command_line, damaged_files)
 {
