@@ -62,8 +62,6 @@ private:
   bool collapse_next(double gain);
   bool collapse_a_corner(Index f, double& change);
   bool split_next(double gain, double deviation);
-  bool relocate_to(Index f);
-  bool relocate_from(Index f, double deviation);
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
@@ -260,20 +258,6 @@ inline bool Fit_relocation::split_next(const double gain, const double deviation
   return false;
 }
 
-inline bool Fit_relocation::relocate_to(const Index f)
-{
-  double change;
-  return split_an_edge(f, change) && collapse_next(-change);
-}
-
-// Where vertices crowd, at the rim of a thin sheet or in a narrow fillet, their angles keep them from where they should
-// be.
-inline bool Fit_relocation::relocate_from(const Index f, const double deviation)
-{
-  double change;
-  return collapse_a_corner(f, change) && split_next(-change, deviation);
-}
-
 inline std::size_t Fit_relocation::run(const double deviation)
 {
   rank();
@@ -288,11 +272,14 @@ inline std::size_t Fit_relocation::run(const double deviation)
       continue;
     m_steps.begin_trial();
     const Fit_steps::Mark start = m_steps.mark();
-    bool is_done = relocate_to(item.at);
+    double change;
+    bool is_done = split_an_edge(item.at, change) && collapse_next(-change);
     if(!is_done)
     {
+      // Where vertices crowd, at the rim of a thin sheet or in a narrow fillet, their angles keep them from where they
+      // should be.
       m_steps.undo_to(start);
-      is_done = relocate_from(item.at, deviation);
+      is_done = collapse_a_corner(item.at, change) && split_next(-change, deviation);
     }
     if(is_done)
       ++number;

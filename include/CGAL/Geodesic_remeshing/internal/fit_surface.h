@@ -24,6 +24,8 @@
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/write_back.h>
 
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -120,8 +122,8 @@ inline std::vector<Lean_triangulation::Index> intersecting_faces(const Remeshed_
 }
 
 // Marks the vertices of the mesh from which a fit began that are near to faces which it has spoilt.
-inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, const Remeshed_surface& fitted,
-                          const Remeshed_surface& start, const double edge_length, std::vector<char>& is_frozen)
+inline void mark_around(const std::vector<Lean_triangulation::Index>& faces, const Remeshed_surface& fitted,
+                        const Remeshed_surface& start, const double edge_length, std::vector<char>& is_marked)
 {
   // With 1 and 2 edge lengths more is frozen than need be: Hausdorff distances of dino and camel are a quarter to a
   // half larger.
@@ -133,19 +135,20 @@ inline void freeze_around(const std::vector<Lean_triangulation::Index>& faces, c
       const Remeshed_surface::Spot& spot = fitted.spot(fitted.connectivity().source(h));
       grid.insert(spot.point, spot.size, f);
     }
-  is_frozen.resize(start.connectivity().vertex_slots(), 0);
+  is_marked.resize(start.connectivity().vertex_slots(), 0);
   for(Lean_triangulation::Index v = 0; v < start.connectivity().vertex_slots(); ++v)
   {
     const Remeshed_surface::Spot& spot = start.spot(v);
     grid.near(spot.point, spot.size, radius * spot.size,
-              [&](std::uint32_t, const Point&, double) { is_frozen[v] = 1; });
+              [&](std::uint32_t, const Point&, double) { is_marked[v] = 1; });
   }
 }
 
 // Brings a remeshed surface as near to the input as its number of vertices and angles of 30 degrees allow. Its vertices
 // leave the surface for it, and keep the places that they are nearest to. `go_on(progress)` stops the work by returning
-// false. Where the result intersects itself more than the mesh that came, all is done again without those parts, twice
-// at most.
+// false. Where the result intersects itself more than the mesh that came, all is done again, with those parts on the
+// surface, then without them. Not if the input and the mesh that came do so: what is near to such an input intersects
+// itself as well.
 template <class Progress>
 Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, const double edge_length, Placed_mesh& out,
                        const Progress& go_on)
@@ -158,13 +161,17 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
   const double area = std::sqrt(3.) / 4. * CGAL::square(edge_length) / samples_per_face;
   const std::vector<Fit_sample> samples = make_fit_samples(walker, start.metric(), area);
   const std::size_t intersections_at_start = intersecting_faces(start).size();
-  std::vector<char> is_frozen;
+  std::vector<char> is_marked;
+  const std::vector<char> none;
   for(int attempt = 1;; ++attempt)
   {
     Remeshed_surface remeshed(walker, constraints, out.mesh, out.place, out.pinned, out.constrained);
     Fit_assignment assignment(remeshed, samples, CGAL::square(.2 * edge_length));
     Fit_probes probes(remeshed, CGAL::square(.5 * edge_length));
-    Fit_steps steps(remeshed, assignment, probes, edge_length, is_frozen);
+    Fit_steps steps(remeshed, assignment, probes, edge_length, attempt == attempts ? is_marked : none);
+    for(Lean_triangulation::Index v = 0; v < is_marked.size(); ++v)
+      if(is_marked[v])
+        steps.hold(v);
     Fit_relocation relocation(remeshed, assignment, probes, steps);
     const bool is_done = run_fit(remeshed, steps, relocation,
                                  [&](const double progress) { return go_on((attempt - 1 + progress) / attempts); });
@@ -177,13 +184,14 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
     mend_fit(remeshed);
     assignment.search_all();
     const std::vector<Lean_triangulation::Index> intersections = intersecting_faces(remeshed);
-    if(!is_done || attempt == attempts || intersections.size() <= intersections_at_start)
+    if(!is_done || attempt == attempts || intersections.size() <= intersections_at_start ||
+       (intersections_at_start > 0 && Polygon_mesh_processing::does_self_intersect(surface)))
     {
       const Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
       write_back(remeshed, out.mesh, out.place, out.pinned, out.constrained);
       return result;
     }
-    freeze_around(intersections, remeshed, start, edge_length, is_frozen);
+    mark_around(intersections, remeshed, start, edge_length, is_marked);
   }
 }
 
