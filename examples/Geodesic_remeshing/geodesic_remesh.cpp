@@ -162,12 +162,13 @@ void announce_all(command_line::Output_files& files, const Options& options)
       files.announce(name);
 }
 
-void measure(Report& report, const Mesh& input, const Mesh& output, const Options& options)
+void measure(Report& report, const Mesh& input, const Mesh& output, const Edge_marks is_line, const Options& options)
 {
   if(!options.quiet || !options.report.empty() || !options.html.empty())
   {
     report.input = mesh_quality::measure_quality(input);
     report.output = mesh_quality::measure_quality(output);
+    report.small_angles = mesh_quality::find_small_angles(output, [&](const Mesh::Edge_index e) { return is_line[e]; });
     report.distance = mesh_quality::measure_distance<CGAL::Parallel_if_available_tag>(input, output, 100000);
   }
   if(options.check)
@@ -219,7 +220,7 @@ void run(const Options& options)
               [&](std::ostream& out) { transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output); });
   files.write(options.regions, [&](std::ostream& out) { command_line::write_regions(out, stages); });
   files.write(options.curves, [&](std::ostream& out) { command_line::write_curves(out, stages); });
-  measure(report, input.mesh, output, options);
+  measure(report, input.mesh, output, is_line, options);
   files.write(options.report, [&](std::ostream& out) { command_line::write_json(out, report); });
   files.write(options.html, [&](std::ostream& out) {
     command_line::write_html(out, name_in_title(file.name()), report, input.mesh, output, stages);

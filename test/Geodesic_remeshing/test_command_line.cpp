@@ -575,6 +575,23 @@ TEST_F(Command_line, features_are_kept)
     EXPECT_EQ(run(usual + wrong).status, 1) << wrong;
 }
 
+// The edges of its ends meet at 8.5 degrees.
+TEST_F(Command_line, small_angles_of_a_wedge_are_told_apart)
+{
+  const std::string wedge = output("wedge.off");
+  std::ofstream(wedge) << "OFF 6 8 0\n0 0 0\n1 0 0\n1 .15 0\n0 0 1\n1 0 1\n1 .15 1\n3 0 2 1\n3 3 4 5\n3 0 1 4\n"
+                          "3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n";
+  const Outcome outcome =
+      run(wedge + " " + output() + " --vertices 300 --feature-angle 60 --report " + output("r.json"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto quality = nlohmann::json::parse(contents(output("r.json")))["output"];
+  EXPECT_GE(quality["faces_below_20_between_lines"], 2);
+  EXPECT_EQ(quality["faces_below_20"], quality["faces_below_20_between_lines"]);
+  EXPECT_LT(quality["min_angle"], 9.);
+  EXPECT_GT(quality["min_angle_elsewhere"], 20.);
+  EXPECT_NE(outcome.out.find("between lines that meet"), std::string::npos);
+}
+
 TEST_F(Command_line, input_with_a_coordinate_that_is_not_finite)
 {
   std::string ply = ply_of_off(

@@ -29,6 +29,7 @@ struct Report
 {
   mesh_quality::Quality input;
   mesh_quality::Quality output;
+  mesh_quality::Small_angles small_angles; // of the output
   mesh_quality::Distance distance;
   CGAL::Geodesic_remeshing::Summary summary;
   bool is_fitted = false;                                               // whether vertices could leave the surface
@@ -80,6 +81,19 @@ inline void write_row(std::ostream& out, const std::string& name, const mesh_qua
   number(11, 2, quality.percent_irregular);
 }
 
+// Which small angles come from the model matters to who is going to simulate with the mesh.
+inline void write_small_angles(std::ostream& out, const mesh_quality::Small_angles& angles)
+{
+  if(angles.below_20_between_lines == 0)
+    return;
+  out << angles.below_20_between_lines << " of " << angles.below_20
+      << " faces with an angle below 20 degrees lie between lines that meet at a small angle or are nearer to each "
+         "other than edges are long";
+  if(angles.min_angle_elsewhere < 180.)
+    out << "; smallest angle elsewhere " << std::fixed << std::setprecision(2) << angles.min_angle_elsewhere;
+  out << "\n";
+}
+
 } // namespace internal
 
 // As report.schema.json says
@@ -89,6 +103,9 @@ inline nlohmann::ordered_json report_as_json(const Report& report)
   json["version"] = GEODESIC_REMESHING_VERSION;
   json["input"] = internal::to_json(report.input);
   json["output"] = internal::to_json(report.output);
+  json["output"]["faces_below_20"] = report.small_angles.below_20;
+  json["output"]["faces_below_20_between_lines"] = report.small_angles.below_20_between_lines;
+  json["output"]["min_angle_elsewhere"] = report.small_angles.min_angle_elsewhere;
   json["output"]["hausdorff_percent"] = report.distance.hausdorff_percent;
   json["output"]["rms_percent"] = report.distance.rms_percent;
   json["fitted"] = report.is_fitted;
@@ -122,6 +139,7 @@ inline void write_table(std::ostream& out, const Report& report)
       << report.summary.number_of_regions << " regions, " << report.summary.number_of_curves << " curves, "
       << report.summary.number_of_strips << " strips; " << std::fixed << std::setprecision(2) << report.seconds << " s"
       << (report.is_fitted ? "; fitted: vertices off the surface" : "") << "\n";
+  internal::write_small_angles(out, report.small_angles);
   if(report.validity)
     out << *report.validity;
 }

@@ -58,6 +58,16 @@ struct Quality
   double diagonal = 0.;          // of the bounding box
 };
 
+// Where the small angles are. A face between lines (features, boundary), with all its vertices on them, is small
+// because they meet at a small angle or lie nearer to each other than edges are long: it is the model's more than the
+// mesh's.
+struct Small_angles
+{
+  std::size_t below_20 = 0;               // faces with an angle below 20 degrees
+  std::size_t below_20_between_lines = 0; // those of them that lie between lines
+  double min_angle_elsewhere = 180.;      // of the faces that do not
+};
+
 // Distances in percent of the diagonal of the reference
 struct Distance
 {
@@ -93,6 +103,29 @@ inline double smallest_angle(const std::array<Point, 3>& p)
   for(int i = 0; i < 3; ++i)
     smallest = (std::min)(smallest, std::atan2(twice_area, (p[(i + 1) % 3] - p[i]) * (p[(i + 2) % 3] - p[i])));
   return smallest * 180. / CGAL_PI;
+}
+
+// `is_line` tells of an edge whether it lies on a line; those on the boundary do in any case.
+template <class IsLine>
+Small_angles find_small_angles(const Mesh& mesh, const IsLine& is_line)
+{
+  std::vector<char> is_on_line(mesh.num_vertices(), 0);
+  for(const auto e : mesh.edges())
+    if(is_line(e) || mesh.is_border(e))
+      is_on_line[mesh.vertex(e, 0).idx()] = is_on_line[mesh.vertex(e, 1).idx()] = 1;
+  Small_angles result;
+  for(const auto f : mesh.faces())
+  {
+    const double angle = smallest_angle(corners(mesh, f));
+    const auto around = mesh.vertices_around_face(mesh.halfedge(f));
+    const bool is_between =
+        std::all_of(around.begin(), around.end(), [&](const auto v) { return is_on_line[v.idx()] != 0; });
+    result.below_20 += angle < 20.;
+    result.below_20_between_lines += angle < 20. && is_between;
+    if(!is_between)
+      result.min_angle_elsewhere = (std::min)(result.min_angle_elsewhere, angle);
+  }
+  return result;
 }
 
 namespace internal {

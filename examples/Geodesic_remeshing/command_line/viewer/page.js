@@ -54,6 +54,7 @@ function showQuality() {
   const rows = [["Vertices", "vertices", 0], ["Faces", "faces", 0], ["Components", "components", 0], ["Genus", "genus", 0],
     ["Boundary loops", "boundary_loops", 0], ["Smallest angle, °", "min_angle", 2], ["Mean smallest angle, °", "mean_min_angle", 2],
     ["Faces with an angle below 30°, %", "percent_below_30", 3], ["Irregular vertices, %", "percent_irregular", 2],
+    ["Faces with an angle below 20°", "faces_below_20", 0], ["Of these between lines", "faces_below_20_between_lines", 0],
     ["Hausdorff distance, %", "hausdorff_percent", 4], ["RMS distance, %", "rms_percent", 4]];
   const cell = (side, key, digits) => make("td", {}, key in report[side] ? number(report[side][key], digits) : "");
   element("quality").append(
