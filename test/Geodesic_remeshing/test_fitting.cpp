@@ -250,6 +250,15 @@ TEST(Fitting, keeps_thin_sheets_apart)
   EXPECT_LT(largest_distance(output, input), .5);
 }
 
+TEST(Fitting, of_few_large_faces_does_not_mistake_the_sides_of_thin_walls)
+{
+  const Mesh input = made::gear(16, 2., 4., .3); // as thick as the edges of the output are long
+  Mesh output;
+  const GR::Summary summary = geodesic_remeshing(input, 1500, output, gp::do_project(false));
+  EXPECT_LT(summary.largest_distance, .5 * summary.edge_length);
+  EXPECT_FALSE(PMP::does_self_intersect(output));
+}
+
 TEST(Fitting, tells_the_nearest_place_of_each_vertex)
 {
   using Location = PMP::Face_location<Mesh, double>;
