@@ -757,6 +757,40 @@ TEST_F(Command_line, boundaries_are_stitched_within_a_tolerance)
     EXPECT_EQ(run(halves + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
 }
 
+// Two squares side by side, the side between them divided into twenty edges of one and a single edge of the other; and
+// the other way around, with both sides of the second one
+TEST_F(Command_line, edges_are_divided_where_vertices_of_other_pieces_are)
+{
+  const int n = 20;
+  std::ostringstream points, faces;
+  points << "0 0 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n";
+  for(const double x : {1., 2.}) // vertices 6 to 26 and 27 to 47
+    for(int i = 0; i <= n; ++i)
+      points << x << " " << i / double(n) << " 0\n";
+  points << "3 0 0\n3 1 0\n";
+  faces << "3 2 3 4\n3 2 4 5\n3 0 26 1\n3 48 49 47\n";
+  for(int i = 0; i < n; ++i)
+    faces << "3 0 " << 6 + i << " " << 7 + i << "\n3 48 " << 28 + i << " " << 27 + i << "\n";
+  const std::string pieces =
+      file("pieces.off", "OFF\n50 " + std::to_string(4 + 2 * n) + " 0\n" + points.str() + faces.str());
+  const auto parts = [&](const std::string& options) {
+    const Outcome outcome =
+        run(pieces + " " + output() + " --vertices 300 --check --report " + output("r.json") + options);
+    EXPECT_EQ(outcome.out.find("NO"), std::string::npos) << outcome.out << outcome.err;
+    const auto result = nlohmann::json::parse(contents(output("r.json")))["output"];
+    return std::make_pair(result["components"].get<int>(), result["boundary_loops"].get<int>());
+  };
+  EXPECT_EQ(parts(""), std::make_pair(3, 3));
+  EXPECT_EQ(parts(" --stitch .001"), std::make_pair(1, 1));
+  const std::string command = pieces + " " + output() + " --vertices 300";
+  EXPECT_NE(run(command).err.find("hint: 38 of the 50 vertices of the boundary are on edges of it (--stitch "),
+            std::string::npos)
+      << run(command).err;
+  const Outcome stitched = run(command + " --stitch .001");
+  EXPECT_EQ(stitched.err, "");
+  EXPECT_NE(stitched.out.find("divided edges of the boundary at 38 vertices of others"), std::string::npos);
+}
+
 // A tetrahedron without its base, a thousandth of the area beside it: a hole and a splinter, as scans have them
 TEST_F(Command_line, holes_are_filled_and_small_parts_dropped)
 {

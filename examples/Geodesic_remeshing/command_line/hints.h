@@ -13,6 +13,7 @@
 #include "clean_up.h"
 #include "options.h"
 #include "stitch.h"
+#include "t_junctions.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -123,6 +124,38 @@ inline std::string hint_at_cracks(const Mesh& mesh)
     return "";
   return std::to_string(number) + " of the " + std::to_string(boundary.size()) +
          " vertices of the boundary are next to others (--stitch " + short_number_above(farthest) + " joins them)";
+}
+
+// T-junctions, as between pieces with edges of different lengths: vertices of the boundary lie on edges of it.
+inline std::string hint_at_t_junctions(const Mesh& mesh)
+{
+  std::vector<Point> points;
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  double length = 0.;
+  for(const auto v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  for(const auto h : mesh.halfedges())
+    if(mesh.is_border(h))
+    {
+      edges.emplace_back(mesh.source(h), mesh.target(h));
+      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+    }
+  if(edges.empty() || !(length > 0.))
+    return "";
+  length /= static_cast<double>(edges.size());
+  double farthest = 1e-6 * length;
+  std::vector<std::size_t> vertices;
+  for(const T_junction& t : find_t_junctions(points, edges, .01 * length))
+  {
+    vertices.push_back(t.vertex);
+    farthest = (std::max)(farthest, t.distance);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  if(vertices.size() < 10 || 10 * vertices.size() < edges.size())
+    return "";
+  return std::to_string(vertices.size()) + " of the " + std::to_string(edges.size()) +
+         " vertices of the boundary are on edges of it (--stitch " + short_number_above(farthest) + " joins them)";
 }
 
 inline std::string hint_at_tiny_parts(const Parts& parts)
@@ -240,6 +273,9 @@ inline std::string hints(const Mesh& mesh, const Options& options)
   const std::string cracks = internal::hint_at_cracks(mesh);
   if(!cracks.empty())
     return cracks;
+  const std::string junctions = internal::hint_at_t_junctions(mesh);
+  if(!junctions.empty())
+    return junctions;
   const internal::Parts parts = internal::find_parts(mesh, options);
   const std::string tiny_parts = internal::hint_at_tiny_parts(parts);
   const std::string holes =

@@ -14,6 +14,7 @@
 #include "repair.h"
 #include "soup.h"
 #include "stitch.h"
+#include "t_junctions.h"
 #include "triangulate.h"
 
 #include <cstddef>
@@ -82,7 +83,12 @@ inline Mesh make_mesh(const Soup& soup)
 inline void mend(Soup& soup, const Repair_options& options, std::vector<std::string>& repairs)
 {
   if(options.stitch_tolerance > 0.)
+  {
     tell(repairs, "stitched", stitch(soup, options.stitch_tolerance), "vertices of the boundary to others");
+    tell(repairs, "dropped", drop_degenerate_faces(soup), "faces with a vertex twice");
+    tell(repairs, "divided edges of the boundary at", stitch_t_junctions(soup, options.stitch_tolerance),
+         "vertices of others");
+  }
   const auto wrong = fault(soup);
   if(wrong && !options.do_repair)
     throw Input_error(*wrong);

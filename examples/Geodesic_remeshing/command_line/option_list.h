@@ -68,7 +68,7 @@ inline Option_group input_options()
     ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners; 180: not even the long creases of an input of few faces")
     ("protect", po::bool_switch(), "keep the boundary, and features if sought, exactly, with all their vertices and edges")
     ("no-repair", po::bool_switch(), "refuse an INPUT that is no mesh as it is")
-    ("stitch", po::value<double>()->value_name("TOLERANCE"), "join vertices of the boundary of INPUT that are no farther apart than TOLERANCE")
+    ("stitch", po::value<double>()->value_name("TOLERANCE"), "join vertices of the boundary of INPUT no farther than TOLERANCE from others or from edges of it")
     ("drop-parts", po::value<double>()->value_name("PERCENT"), "leave out parts of INPUT with less than PERCENT of its area, not the largest")
     ("fill-holes", po::value<long long>()->value_name("EDGES"), "close holes of INPUT with at most EDGES edges");
   return group;

@@ -48,8 +48,8 @@ class Thin_places
 public:
   Thin_places(const Mesh& input, const Mesh& output) : m_input(input), m_output(output)
   {
-    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(
-        output.faces(), output, std::back_inserter(m_pairs));
+    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(output.faces(), output,
+                                                                                       std::back_inserter(m_pairs));
     if(m_pairs.empty())
       return;
     m_part_of.resize(input.number_of_faces());
@@ -97,7 +97,7 @@ private:
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::vector<std::pair<Face, Face>> pairs;
     CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(near, m_input,
-                                                                                      std::back_inserter(pairs));
+                                                                                       std::back_inserter(pairs));
     return !pairs.empty();
   }
 
@@ -119,8 +119,8 @@ private:
       if(const auto hit = tree.first_intersection(Kernel::Ray_3(start, side * normal), is_no_wall))
         if(const Point* const end = std::get_if<Point>(&hit->first))
           nearest = (std::min)(nearest, CGAL::squared_distance(start, *end));
-    const double edges = CGAL::squared_distance(p[0], p[1]) + CGAL::squared_distance(p[1], p[2]) +
-                         CGAL::squared_distance(p[2], p[0]);
+    const double edges =
+        CGAL::squared_distance(p[0], p[1]) + CGAL::squared_distance(p[1], p[2]) + CGAL::squared_distance(p[2], p[0]);
     return std::sqrt(3. * nearest / edges);
   }
 
