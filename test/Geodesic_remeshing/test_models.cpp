@@ -280,6 +280,28 @@ TEST(Model, is_near_where_it_is_farthest)
 
 // ---- what cannot be
 
+// Where curves go different ways along the edges of one face, and behind bridges, regions need not be discs, but what
+// shows them is whole.
+TEST(Model, has_regions_everywhere_though_its_handles_are_smaller_than_the_edges)
+{
+  const std::vector<std::pair<std::string, std::size_t>> cases = {
+      {"cheese", 1000}, {"couplingdown", 1000}, {"femur", 1000}, {"turbine", 1000}};
+  for(const auto& c : cases)
+  {
+    SCOPED_TRACE(c.first);
+    const Mesh input = read_model(c.first);
+    Mesh output;
+    Stage_results stages;
+    geodesic_remeshing(input, c.second, output,
+                       gp::stage_results(std::ref(stages)).number_of_iterations(0u).features_angle_bound(181.));
+    EXPECT_EQ(support::topology_of(stages.regions), support::topology_of(input));
+    EXPECT_NEAR(support::area_of(stages.regions), support::area_of(input), 1e-9 * support::area_of(input));
+    const auto region = stages.regions.property_map<Face, int>("f:region").value();
+    for(const Face f : stages.regions.faces())
+      ASSERT_GE(region[f], 0);
+  }
+}
+
 TEST(Model_of_quadrilaterals, is_refused)
 {
   Mesh input, output;

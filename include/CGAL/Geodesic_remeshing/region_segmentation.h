@@ -95,7 +95,8 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  * curve distances further on; the root region is the disc around the root. A maximum that rises less than half a curve
  * distance above the saddle beside it is noise and has no region. Every connected component has a tree of its own. One
  * with boundary is a single region, the root, as in `CGAL::geodesic_remeshing()`: its front starts on the straightest
- * long piece of the boundary, on which its center lies.
+ * long piece of the boundary, on which its center lies. Around handles smaller than the curve distance a region may
+ * touch itself or lie in several pieces.
  *
  * The boundaries of the regions run through faces; each face gets the region that covers most of it.
  * `Stage_results::regions` has the surface cut along the boundaries.

@@ -44,6 +44,13 @@ public:
   Vertex corner(int i) const { return m_mesh.source(halfedge(i)); }
   std::ptrdiff_t arcs(int corner) const { return m_arcs[corner % 3]; }
 
+  // Whether pieces around corners can join all crossings
+  bool is_possible() const
+  {
+    return (crossings(0) + crossings(1) + crossings(2)) % 2 == 0 &&
+           std::all_of(m_arcs.begin(), m_arcs.end(), [](const std::ptrdiff_t number) { return number >= 0; });
+  }
+
   std::ptrdiff_t crossings(int i) const
   {
     const std::size_t e = m_mesh.edge(halfedge(i)).idx();

@@ -33,19 +33,24 @@ class Region_boundaries
 {
 public:
   Region_boundaries(const Mesh& mesh, const Segmentation& segmentation)
-    : m_mesh(mesh), m_segmentation(segmentation), m_whole(segmentation.regions.size())
+    : m_mesh(mesh), m_segmentation(segmentation), m_whole(segmentation.regions.size()), m_last(m_whole.size())
   {
     for(std::size_t r = m_whole.size(); r-- > 0;) // parents come after their children
+    {
       m_whole[r] = is_last(r) || region(r).number_of_levels > 0 ? static_cast<int>(r) : below(static_cast<int>(r));
+      m_last[r] = is_last(r) ? static_cast<int>(r) : m_last[region(r).parents.front()];
+    }
   }
 
-  // Regions that degenerate to their tops are part of the region below, a leaf on a bridge of one beside it.
+  // Regions that degenerate to their tops are part of the region below, a leaf on a bridge of one beside it. A pocket
+  // behind a bridge is a last region beside the root's: no way down leads from what is above the one to the other.
   int region_of(const Vertex v) const
   {
     int r = m_segmentation.region[v];
     while(region(r).part_of >= 0)
       r = region(r).part_of;
-    return m_whole[r];
+    const int by_curves = region_by_curves(v);
+    return m_last[r] == m_last[by_curves] ? m_whole[r] : by_curves;
   }
 
   // The region on the other side of the bottom
@@ -76,6 +81,7 @@ private:
   const Mesh& m_mesh;
   const Segmentation& m_segmentation;
   std::vector<int> m_whole; // of each region: the one that it is part of
+  std::vector<int> m_last;  // of each region: the one that the ways down from it end in
 };
 
 // Down to the region that both lie above, and up again

@@ -43,7 +43,13 @@ public:
       for(std::size_t c = m_curves.crossing_begin[e.idx()]; c < m_curves.crossing_begin[e.idx() + 1]; ++c)
         m_result.add_vertex(point_at(m_mesh, Curve_point{m_mesh.halfedge(e), m_curves.crossings[c].position}));
     for(Face f : m_mesh.faces())
-      cut(Face_division(m_mesh, m_curves, f));
+    {
+      const Face_division division(m_mesh, m_curves, f);
+      if(division.is_possible())
+        cut(division);
+      else
+        cut_around_center(division);
+    }
     return std::move(m_result);
   }
 
@@ -86,6 +92,22 @@ private:
         add_piece(outgoing < 0 ? incoming : outgoing, (std::min)(outgoing, incoming), outgoing < 0);
       }
     add_middle(d);
+  }
+
+  // Around a handle smaller than the face curves may take different ways along two of its edges, so that they do not
+  // meet: then each interval of its edges gets a face of its own.
+  void cut_around_center(const Face_division& d)
+  {
+    const auto center = m_result.add_vertex(
+        CGAL::centroid(m_mesh.point(d.corner(0)), m_mesh.point(d.corner(1)), m_mesh.point(d.corner(2))));
+    for(int i = 0; i < 3; ++i)
+      for(std::ptrdiff_t j = 0; j <= d.crossings(i); ++j)
+      {
+        const Vertex start = j == 0 ? d.corner(i) : vertex(d.outgoing(i, j - 1));
+        const Vertex end = j == d.crossings(i) ? d.corner(i + 1) : vertex(d.outgoing(i, j));
+        const int value = m_label(d.outgoing_interval(i, j));
+        add_polygon({center, start, end}, value >= 0 ? value : -1 - value);
+      }
   }
 
   // The arc around the other end of the edge along which the middle piece has a passage
@@ -146,7 +168,11 @@ private:
   void add_polygon(const std::vector<Vertex>& polygon, int value)
   {
     for(std::size_t i = 1; i + 1 < polygon.size(); ++i)
-      m_region[m_result.add_face(polygon[0], polygon[i], polygon[i + 1])] = value;
+    {
+      const Face f = m_result.add_face(polygon[0], polygon[i], polygon[i + 1]);
+      CGAL_assertion(f.is_valid());
+      m_region[f] = value;
+    }
   }
 
   const Mesh& m_mesh;
