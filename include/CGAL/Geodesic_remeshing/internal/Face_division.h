@@ -44,7 +44,8 @@ public:
   Vertex corner(int i) const { return m_mesh.source(halfedge(i)); }
   std::ptrdiff_t arcs(int corner) const { return m_arcs[corner % 3]; }
 
-  // Whether pieces around corners can join all crossings
+  // Whether pieces around corners can join all crossings; not where curves go different ways along two edges, around a
+  // handle smaller than the face
   bool is_possible() const
   {
     return (crossings(0) + crossings(1) + crossings(2)) % 2 == 0 &&
@@ -98,7 +99,10 @@ inline std::pair<std::vector<std::uint32_t>, std::size_t> find_strips(const Mesh
     const Face_division division(mesh, curves, f);
     for(int i = 0; i < 3; ++i)
     {
-      for(std::ptrdiff_t j = 0; j <= division.arcs(i); ++j)
+      strips.join(division.outgoing_interval(i, 0), division.incoming_interval(i, 0));
+      if(!division.is_possible())
+        continue;
+      for(std::ptrdiff_t j = 1; j <= division.arcs(i); ++j)
         strips.join(division.outgoing_interval(i, j), division.incoming_interval(i, j));
       strips.join(division.outgoing_interval(i, division.arcs(i)), division.outgoing_interval(0, division.arcs(0)));
     }
