@@ -101,9 +101,8 @@ inline std::size_t stitch_t_junctions(Soup& soup, double tolerance)
       const std::size_t f = face_of[first->edge];
       const auto [a, b] = edges[first->edge];
       const std::size_t apex = soup.polygons[f][0] + soup.polygons[f][1] + soup.polygons[f][2] - a - b;
-      const bool is_free = !is_changed[f] && std::none_of(first, last, [apex = apex](const T_junction& t) {
-        return t.vertex == apex;
-      });
+      const bool is_free =
+          !is_changed[f] && std::none_of(first, last, [apex = apex](const T_junction& t) { return t.vertex == apex; });
       std::size_t from = a;
       for(; first != last; ++first)
         if(is_free)

@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Intersection_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Search_effort.h>
+#include <CGAL/Geodesic_remeshing/internal/Search_refusals.h>
 #include <CGAL/Geodesic_remeshing/internal/distance_to_ring.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 
@@ -40,12 +41,9 @@ public:
   // `tolerance` is how far, in the unit of the relative sizes, a vertex may be left off the triangles that take its
   // place.
   Defect_moves(Remeshed_surface& remeshed, const double tolerance, const Search_effort& effort)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_stamp(m_table.vertex_slots(), 0),
-      m_changed(m_table.vertex_slots(), 0), m_seen(m_table.vertex_slots(), 0), m_valence(m_table.vertex_slots(), 0),
-      m_refusal(m_table.vertex_slots()), m_tolerance(tolerance), m_effort(effort)
-  {
-    note_valences();
-  }
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_refusals(m_table), m_stamp(m_table.vertex_slots(), 0),
+      m_tolerance(tolerance), m_effort(effort)
+  {}
 
   // One search from each irregular vertex; returns by how much the energy has fallen. Where nothing has been flipped
   // since a search found nothing, none is made again.
@@ -64,12 +62,7 @@ private:
     std::array<Candidate, 32> list;
     std::size_t size = 0;
   };
-  using Corners = std::array<Index, 4>;
-  // A search that found nothing: when, how deep, and the vertices whose edges it looked at, each once.
-  struct Refusal
-  {
-    std::size_t time = 0, depth = 0, begin = 0, end = 0;
-  };
+  using Corners = Search_refusals::Corners;
 
   bool search(const Corners& around, std::size_t depth, int energy, Index made);
   void collect(Index v, int most, Index made, Candidates& candidates) const;
@@ -77,26 +70,16 @@ private:
   bool settle();
   bool covers(const Point& p, Index v) const;
   void gather_zone();
-  void note_valences();
-  void note_flips();
-  void note_change(Index v);
-  void note_visits(const Corners& corners);
-  void forget_old_visits();
-  bool is_refused(Index v, std::size_t depth) const;
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
   std::vector<Corners> m_path; // the vertices of each flip made
   std::vector<Index> m_zone;   // what is relaxed: first the vertices of the flips, then their neighbours
   std::size_t m_core = 0;      // number of the former
-  std::vector<std::size_t> m_stamp;
+  Search_refusals m_refusals;
+  std::vector<std::size_t> m_stamp; // of the vertices: the last zone that each was in
   std::size_t m_time = 0;
-  std::vector<std::size_t> m_changed; // when edges at a vertex or near it were flipped last
-  std::vector<std::size_t> m_seen;    // the search that looked at a vertex last
-  std::vector<Index> m_valence;       // at the end of the last sweep
-  std::vector<Refusal> m_refusal;
-  std::vector<Index> m_visited;
-  std::size_t m_search = 0, m_nodes_left = 0, m_settlements_left = 0;
+  std::size_t m_nodes_left = 0, m_settlements_left = 0;
   int m_found = 0;
   double m_tolerance;
   Search_effort m_effort;
@@ -106,87 +89,28 @@ private:
 inline int Defect_moves::sweep(const std::size_t depth)
 {
   int total = 0;
-  note_flips();
-  forget_old_visits();
+  m_refusals.begin_sweep();
   for(Index v = 0; v < m_table.vertex_slots(); ++v)
   {
-    if(m_table.is_removed(v) || !m_remeshed.energy().is_irregular(v) || is_refused(v, depth))
+    if(m_table.is_removed(v) || !m_remeshed.energy().is_irregular(v) || m_refusals.is_refused(v, depth))
       continue;
     // Bounds the work where many irregular vertices lie together and the sequences are no longer few.
     m_nodes_left = m_effort.nodes * depth;
     m_settlements_left = m_effort.settlements;
     m_path.clear();
-    const std::size_t begin = m_visited.size();
-    ++m_search;
-    ++m_time;
+    m_refusals.begin_search();
     m_remeshed.record();
     if(search({{v, v, v, v}}, depth, 0, Lean_triangulation::none))
     {
-      m_visited.resize(begin);
       total -= m_found;
-      for(const Corners& corners : m_path)
-        for(const Index w : corners)
-          note_change(w);
+      m_refusals.note_success(m_path);
     }
     else
-      m_refusal[v] = {m_time, depth, begin, m_visited.size()};
+      m_refusals.note_failure(v, depth);
     m_remeshed.forget();
   }
-  note_valences();
+  m_refusals.end_sweep();
   return total;
-}
-
-inline void Defect_moves::note_valences()
-{
-  for(Index v = 0; v < m_table.vertex_slots(); ++v)
-    m_valence[v] = m_table.valence(v);
-}
-
-// What was flipped since the last sweep shows in the valences, but for rare cycles of flips.
-inline void Defect_moves::note_flips()
-{
-  ++m_time;
-  for(Index v = 0; v < m_table.vertex_slots(); ++v)
-    if(!m_table.is_removed(v) && m_valence[v] != m_table.valence(v))
-      note_change(v);
-}
-
-// The energy of a flip that a search looks at depends on valences up to two edges away.
-inline void Defect_moves::note_change(const Index v)
-{
-  m_table.for_each_neighbor(
-      v, [&](const Index w) { m_table.for_each_neighbor(w, [&](const Index x) { m_changed[x] = m_time; }); });
-}
-
-inline void Defect_moves::note_visits(const Corners& corners)
-{
-  for(const Index v : corners)
-    if(m_seen[v] != m_search)
-    {
-      m_seen[v] = m_search;
-      m_visited.push_back(v);
-    }
-}
-
-// Those of refusals that later searches from the same vertices have replaced
-inline void Defect_moves::forget_old_visits()
-{
-  std::vector<Index> visited;
-  for(Refusal& refusal : m_refusal)
-  {
-    const std::size_t begin = visited.size();
-    visited.insert(visited.end(), m_visited.begin() + refusal.begin, m_visited.begin() + refusal.end);
-    refusal.begin = begin;
-    refusal.end = visited.size();
-  }
-  m_visited.swap(visited);
-}
-
-inline bool Defect_moves::is_refused(const Index v, const std::size_t depth) const
-{
-  const Refusal& refusal = m_refusal[v];
-  return refusal.depth >= depth && std::all_of(m_visited.begin() + refusal.begin, m_visited.begin() + refusal.end,
-                                               [&](const Index w) { return m_changed[w] <= refusal.time; });
 }
 
 inline void Defect_moves::add(const Index h, const int most, const Index made, Candidates& candidates) const
@@ -219,7 +143,7 @@ inline void Defect_moves::collect(const Index v, const int most, const Index mad
 inline bool Defect_moves::search(const Corners& around, const std::size_t depth, const int energy, const Index made)
 {
   Candidates candidates;
-  note_visits(around);
+  m_refusals.note_visits(around);
   for(const Index v : around)
     collect(v, m_effort.barrier - energy, made, candidates);
   std::sort(candidates.list.begin(), candidates.list.begin() + candidates.size);
