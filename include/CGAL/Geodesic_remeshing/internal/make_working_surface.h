@@ -45,9 +45,10 @@ inline void check_thinness(const Mesh& surface, double edge_length, std::size_t 
     return;
   const double needed =
       longest / number * longest / (room * room); // the edge length falls as the square root of the number
-  throw Remeshing_error(
-      "geodesic remeshing: the surface is too long and thin for " + std::to_string(number_of_vertices) + " vertices: " +
-      (needed < 1e9 ? "it takes " + std::to_string(static_cast<long long>(std::ceil(needed))) : "no number would do"));
+  throw Remeshing_error("geodesic remeshing: the surface is too long and thin for " +
+                        std::to_string(number_of_vertices) + " vertices: " +
+                        (needed < 1e9 ? "it takes at least " + std::to_string(static_cast<long long>(std::ceil(needed)))
+                                      : "no number would do"));
 }
 
 // On lines a third of that: distances from a line are those from its vertices.
