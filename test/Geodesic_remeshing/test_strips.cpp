@@ -226,6 +226,8 @@ TEST_P(Strips, have_Euler_characteristics_that_add_up)
     SCOPED_TRACE(std::to_string(vertices) + " vertices");
     const Segmented_surface s(mesh, std::sqrt(.75) * edge_length_for(area(mesh), vertices));
     const Level_curves curves = Curve_tracer(s.working.mesh, s.segmentation).trace();
+    for(const Face f : s.working.mesh.faces())
+      ASSERT_TRUE(Face_division(s.working.mesh, curves, f).is_possible()) << "face " << f;
     const auto strips = find_strips(s.working.mesh, curves);
     // cut along all curves and looked at again
     const auto label = [&](std::size_t interval) { return static_cast<int>(strips.first[interval]); };

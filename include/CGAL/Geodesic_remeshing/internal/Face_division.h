@@ -97,10 +97,11 @@ inline std::pair<std::vector<std::uint32_t>, std::size_t> find_strips(const Mesh
   for(Face f : mesh.faces())
   {
     const Face_division division(mesh, curves, f);
+    const bool is_possible = division.is_possible();
     for(int i = 0; i < 3; ++i)
     {
       strips.join(division.outgoing_interval(i, 0), division.incoming_interval(i, 0));
-      if(!division.is_possible())
+      if(!is_possible)
         continue;
       for(std::ptrdiff_t j = 1; j <= division.arcs(i); ++j)
         strips.join(division.outgoing_interval(i, j), division.incoming_interval(i, j));
