@@ -1152,6 +1152,84 @@ TEST(Lines, samples_divide_each_piece_evenly)
   }
 }
 
+// A box of this thickness, 4 long and 4 wide, ready to have its lines sampled for this edge length
+struct Thin_box
+{
+  Thin_box(double thickness, double edge_length)
+  {
+    Mesh mesh = made::box(1, 1, 1);
+    for(Vertex v : mesh.vertices())
+    {
+      const auto& p = mesh.point(v);
+      mesh.point(v) = Point(4. * p.x(), 4. * p.y(), thickness * p.z());
+    }
+    const auto np = parameters::features_angle_bound(60.);
+    internal::copy_input(mesh, np, input, true);
+    const Constraints constraints = internal::find_constraints(mesh, np, input, edge_length);
+    internal::make_working_surface(input.mesh, constraints, 1.5 * edge_length, working);
+    pieces = internal::trace_lines(working, constraints);
+  }
+
+  internal::Input_surface<Mesh> input;
+  internal::Working_surface working;
+  std::vector<internal::Line_piece> pieces;
+};
+
+TEST(Lines, gaps_between_them_are_measured_over_the_surface)
+{
+  const Thin_box box(.1, .4);
+  const internal::Line_gaps all(box.working, 10.), narrow(box.working, 1.), none(box.working, .05);
+  for(const auto& piece : box.pieces)
+    for(Halfedge h : piece.halfedges)
+    {
+      const Vector way(box.working.mesh.point(box.working.mesh.source(h)),
+                       box.working.mesh.point(box.working.mesh.target(h)));
+      const bool is_upright = way.z() != 0.;
+      for(Halfedge side : {h, box.working.mesh.opposite(h)})
+      {
+        const double gap = all.beside(side);
+        EXPECT_NEAR(gap, is_upright || gap > 1. ? 4. : .1, 1e-9);
+        EXPECT_EQ(narrow.beside(side) < 1., gap < 1.);
+        EXPECT_EQ(none.beside(side), internal::infinity);
+      }
+      EXPECT_EQ((std::min)(all.beside(h), all.beside(box.working.mesh.opposite(h))) < 1., !is_upright);
+    }
+}
+
+TEST(Lines, samples_are_denser_where_gaps_are_narrower_than_edges)
+{
+  // How many times as many samples the eight long lines get, in a gap so many edge lengths wide
+  const auto density = [](double width, double most_vertices) {
+    Thin_box box(.1, .1 / width);
+    internal::Line_densities(box.working, .1 / width, box.pieces).run(most_vertices);
+    double length = 0.;
+    const internal::Metric metric(box.working.mesh);
+    for(const auto& piece : box.pieces)
+      if(internal::even_length_of(metric, piece) > 1.)
+        length += internal::length_of(metric, piece);
+      else
+        EXPECT_TRUE(piece.densities.empty()) << "the upright ones are far from each other";
+    return length / (8. * 4.);
+  };
+  EXPECT_NEAR(density(.4, 1e9), 1., 1e-9) << "wide enough";
+  EXPECT_NEAR(density(.25, 1e9), .5 * std::tan(35. * CGAL_PI / 180.) / .25, 1e-6);
+  EXPECT_NEAR(density(.16, 1e9), 2., 1e-6) << "no more than twice as many";
+  EXPECT_NEAR(density(.14, 1e9), 1., 1e-9) << "too narrow for good angles";
+  EXPECT_NEAR(density(.25, 1e-9), 1., 1e-9) << "not enough vertices";
+}
+
+// Lines along both sides of a thin plate's rim
+TEST(Features, gaps_narrower_than_edges_have_good_angles)
+{
+  Mesh mesh = made::box(1, 1, 1), out;
+  for(Vertex v : mesh.vertices())
+    mesh.point(v) = Point(mesh.point(v).x(), mesh.point(v).y(), .006 * mesh.point(v).z());
+  CGAL::geodesic_remeshing(mesh, 2000, out, parameters::features_angle_bound(60.));
+  EXPECT_EQ(out.number_of_vertices(), 2000u);
+  EXPECT_GT(support::quality_of(out).smallest_angle, 24.) << "14 where all edges are equally long";
+  EXPECT_GT(support::quality_of(out).mean_smallest_angle, 51.);
+}
+
 TEST(Lines, cells_are_contracted_along_them)
 {
   Mesh mesh = made::plane(20);

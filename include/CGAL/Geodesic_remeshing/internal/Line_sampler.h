@@ -65,9 +65,9 @@ private:
     for(std::size_t j = piece.is_ring ? 0 : 1; j < n; ++j)
     {
       const double s = length * static_cast<double>(j) / static_cast<double>(n);
-      while(i + 1 < piece.halfedges.size() && travelled + m_metric.length(piece.halfedges[i]) < s)
-        travelled += m_metric.length(piece.halfedges[i++]);
-      const double l = m_metric.length(piece.halfedges[i]);
+      while(i + 1 < piece.halfedges.size() && travelled + length_of(m_metric, piece, i) < s)
+        travelled += length_of(m_metric, piece, i++);
+      const double l = length_of(m_metric, piece, i);
       add_on_line(piece.halfedges[i], l > 0. ? (std::min)(1., (s - travelled) / l) : 0.);
     }
   }

@@ -34,6 +34,7 @@ public:
     for(const Line_piece& piece : pieces)
     {
       m_length.push_back(length_of(metric, piece));
+      m_even_length.push_back(even_length_of(metric, piece));
       m_is_boundary.push_back(mesh.is_border(mesh.edge(piece.halfedges.front())));
     }
   }
@@ -73,13 +74,19 @@ public:
     return high;
   }
 
-  // How many more there are at this spacing than if the pieces were divided evenly: none, but for edges that are kept
+  // Whether edges are kept, or samples denser than elsewhere
+  bool is_uneven() const
+  {
+    return std::any_of(m_pieces.begin(), m_pieces.end(),
+                       [](const Line_piece& piece) { return piece.is_kept || !piece.densities.empty(); });
+  }
+
+  // How many more there are at this spacing than if the pieces were divided evenly
   double surplus(double spacing) const
   {
     double sum = 0.;
     for(std::size_t i = 0; i < m_pieces.size(); ++i)
-      if(m_pieces[i].is_kept)
-        sum += 1. - m_length[i] / spacing;
+      sum += m_pieces[i].is_kept ? 1. - m_length[i] / spacing : (m_length[i] - m_even_length[i]) / spacing;
     return sum;
   }
 
@@ -92,7 +99,7 @@ private:
   const std::vector<Line_piece>& m_pieces;
   const std::vector<int> m_fewest;
   const std::size_t m_corners;
-  std::vector<double> m_length;
+  std::vector<double> m_length, m_even_length;
   std::vector<char> m_is_boundary;
 };
 
@@ -119,7 +126,7 @@ inline void check_number_of_vertices(std::size_t number, std::size_t topology, s
   reject_number(topology, "the topology of the input needs");
 }
 
-// So many vertices would there be, were the lines divided evenly, if there are `number` with the edges that are kept.
+// So many vertices would there be, were the lines divided evenly, if there are `number` as they are.
 inline std::size_t number_if_even(const std::vector<Extent>& extents, const Line_budget& lines, std::size_t number)
 {
   const double most = static_cast<double>(number);
@@ -154,7 +161,7 @@ inline Vertex_budget make_budget(const Any_target& target, const Working_surface
   else if(faces != nullptr)
     number += (faces->value + lines.edges_on_boundary(spacing)) / 2 - faces->value / 2; // F = 2 V - 2 chi - B
   check_number_of_vertices(number, fewest, lines.fewest());
-  const std::size_t even = constraints.are_kept ? number_if_even(extents, lines, number) : number;
+  const std::size_t even = lines.is_uneven() ? number_if_even(extents, lines, number) : number;
   const double edge_length = edge_length_for(extents, even, wanted);
   if(faces == nullptr)
     spacing = edge_length;

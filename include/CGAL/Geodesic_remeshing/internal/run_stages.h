@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Face_division.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
+#include <CGAL/Geodesic_remeshing/internal/Line_densities.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
@@ -71,7 +72,8 @@ void run_stages(const Stages_work& work, const Any_target& target, const Goal& g
   clock.stage("refinement", .05);
   Working_surface& working = run.working;
   make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
-  const std::vector<Line_piece> lines = trace_lines(working, constraints);
+  std::vector<Line_piece> lines = trace_lines(working, constraints);
+  Line_densities(working, goal.mean_edge_length, lines).run(.5 * static_cast<double>(goal.number_of_vertices));
   const Vertex_budget budget = make_budget(target, working, goal.number_of_vertices, lines, constraints);
   const std::size_t n = run.number_of_vertices = budget.number_of_vertices;
   const double edge_length = run.edge_length = budget.edge_length;

@@ -30,14 +30,29 @@ struct Line_piece
 {
   std::vector<Halfedge> halfedges;
   bool is_ring;
-  bool is_kept = false; // an edge of the input that is to be an edge of the output
+  bool is_kept = false;               // an edge of the input that is to be an edge of the output
+  std::vector<double> densities = {}; // how many times as near to each other its samples are as others, on a halfedge
 };
 
-inline double length_of(const Metric& metric, const Line_piece& piece)
+inline double even_length_of(const Metric& metric, const Line_piece& piece)
 {
   double length = 0.;
   for(Halfedge h : piece.halfedges)
     length += metric.length(h);
+  return length;
+}
+
+// What counts where a piece is divided: as much as its samples are denser it is longer.
+inline double length_of(const Metric& metric, const Line_piece& piece, std::size_t i)
+{
+  return metric.length(piece.halfedges[i]) * (piece.densities.empty() ? 1. : piece.densities[i]);
+}
+
+inline double length_of(const Metric& metric, const Line_piece& piece)
+{
+  double length = 0.;
+  for(std::size_t i = 0; i < piece.halfedges.size(); ++i)
+    length += length_of(metric, piece, i);
   return length;
 }
 
