@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -54,7 +55,17 @@ private:
     bool is_center;
   };
 
+  // A face is within its radius around its center.
+  struct Outer_face
+  {
+    Index f;
+    Point center;
+    double radius;
+  };
+
+  void gather_outer_faces(Index v);
   void gather_samples(Index v);
+  const Point& point(const Index h) const { return m_remeshed.spot(m_table.source(h)).point; }
   double deviation(const Vertex_ring& ring, const Spot& spot, Probe& probe, double large) const;
 
   const Remeshed_surface& m_remeshed;
@@ -65,8 +76,33 @@ private:
   std::vector<Index> m_stamp; // of the input's vertices: when they were looked at
   Index m_time = 0;
   std::vector<Index> m_samples; // vertices of the input
+  std::vector<Outer_face> m_outer;
   std::vector<Probe> m_probes;
 };
+
+// Those around the neighbors of v, but not around v
+inline void Deviation_cost::gather_outer_faces(const Index v)
+{
+  m_outer.clear();
+  m_table.for_each_neighbor(v, [&](const Index w) {
+    m_table.for_each_outgoing(w, [&](const Index h) {
+      const Index f = Lean_triangulation::face(h);
+      const auto is_corner = [&](const Index u) {
+        return m_table.source(4 * f) == u || m_table.source(4 * f + 1) == u || m_table.source(4 * f + 2) == u;
+      };
+      const auto is_known = [&] {
+        return std::any_of(m_outer.begin(), m_outer.end(), [&](const Outer_face& face) { return face.f == f; });
+      };
+      if(is_corner(v) || is_known())
+        return;
+      const Point center = CGAL::centroid(point(4 * f), point(4 * f + 1), point(4 * f + 2));
+      double farthest = 0.;
+      for(Index k = 4 * f; k < 4 * f + 3; ++k)
+        farthest = (std::max)(farthest, CGAL::squared_distance(center, point(k)));
+      m_outer.push_back({f, center, std::sqrt(farthest)});
+    });
+  });
+}
 
 // The vertices of the input that no triangle is much nearer to than those around v, sought from where v and its
 // neighbors are as far as their nearest vertex is one of these
@@ -92,13 +128,15 @@ inline void Deviation_cost::gather_samples(const Index v)
   m_table.for_each_neighbor(v, enter_around);
   for(std::size_t i = 0; i < m_samples.size(); ++i)
     m_input.for_each_neighbor(m_samples[i], enter);
+  gather_outer_faces(v);
   const auto is_nearer_to_others = [&](const Index x) {
-    const double here = .99 * squared_distance_to_ring(m_remeshed, m_deviations.input_point(x), v, 0.);
-    bool result = false;
-    m_table.for_each_neighbor(v, [&](const Index w) {
-      result = result || squared_distance_to_ring(m_remeshed, m_deviations.input_point(x), w, here) < here;
+    const Point& p = m_deviations.input_point(x);
+    const double here = .99 * squared_distance_to_ring(m_remeshed, p, v, 0.), reach = std::sqrt(here);
+    return std::any_of(m_outer.begin(), m_outer.end(), [&](const Outer_face& face) {
+      return CGAL::squared_distance(p, face.center) < CGAL::square(reach + face.radius) &&
+             nearest_in_triangle(p, point(4 * face.f), point(4 * face.f + 1), point(4 * face.f + 2)).squared_distance <
+                 here;
     });
-    return result;
   };
   m_samples.erase(std::remove_if(m_samples.begin(), m_samples.end(), is_nearer_to_others), m_samples.end());
 }
