@@ -51,6 +51,14 @@ public:
       bits |= block.bits_beyond(static_cast<Index>(spot - first), m_vertex);
     return bits;
   }
+  // Calls `visit(a, b)` for the points of each edge opposite to the vertex.
+  template <class Visit>
+  void for_each_rim(const Visit& visit) const
+  {
+    const Point* last = m_is_closed ? &m_around.back()->point : &m_around.front()->point;
+    for(auto i = m_around.begin() + !m_is_closed; i != m_around.end(); last = &(*i++)->point)
+      visit(*last, (*i)->point);
+  }
   std::size_t size() const { return m_around.size(); } // of the neighbours
   const Spot& operator[](const std::size_t i) const { return *m_around[i]; }
 

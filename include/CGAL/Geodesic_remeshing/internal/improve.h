@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_IMPROVE_H
 
+#include <CGAL/Geodesic_remeshing/internal/Angle_relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/Conflict_refinement.h>
 #include <CGAL/Geodesic_remeshing/internal/Conflict_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
@@ -203,7 +204,8 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
     return {};
   // Once more, on the cells as they are now: nearer to hollows.
   const Nearest_vertices nearest(remeshed);
-  relax_with_quadrics(remeshed, quadrics(remeshed, nearest));
+  const std::vector<Quadric> planes = quadrics(remeshed, nearest);
+  relax_with_quadrics(remeshed, planes);
   Line_fit(remeshed, parameters.edge_length, tolerated_badness()).run();
   polish(remeshed, parameters.number_of_vertices);
   // The polish moves what is on lines as well.
@@ -219,6 +221,9 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
         .run(.7 * parameters.nearness, 1e-6 * parameters.edge_length, {.15, .08, .04});
   else if(remeshed.metric().is_uniform() && parameters.number_of_vertices < 10000)
     Deviation_relaxation(remeshed, nearest, badness_of_angle(40.)).run(.1, 1e-6 * parameters.edge_length, {.06});
+  if(remeshed.metric().is_uniform())
+    for(const double part : {.1, .05})
+      relax_angles(remeshed, planes, badness_of_angle(40.), part);
   // A hundredth of the vertices: with twice as many the Hausdorff distance is nearly the same, and the mean angle .2
   // degrees less. With a sizing, which may have seen to the deviations and has spent angles, half as many. A sphere of
   // a thousand vertices deviates by a fiftieth of an edge.
