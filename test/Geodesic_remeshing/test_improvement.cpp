@@ -193,6 +193,71 @@ TEST(Lean_triangulation, changes_are_taken_back)
   EXPECT_EQ(snapshot(), before);
 }
 
+// A hexagon of radius one around a point a little off its middle: no two sides of a triangle are equally long.
+TEST(Cotangents, slope_is_that_of_differences)
+{
+  Mesh mesh;
+  const Point p(.11, .07, .05);
+  mesh.add_vertex(p);
+  for(int i = 0; i < 6; ++i)
+    mesh.add_vertex(Point(std::cos(CGAL_PI * i / 3.), std::sin(CGAL_PI * i / 3.), .02 * i * i));
+  for(int i = 0; i < 6; ++i)
+    mesh.add_face(Vertex(0), Vertex(1 + i), Vertex(1 + (i + 1) % 6));
+  Start start;
+  spoil(mesh, 0., start);
+  const Surface_walker walker(mesh);
+  const Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained);
+  const Vertex_ring ring(remeshed, 0);
+  double sum = 0.;
+  for(const Face f : mesh.faces())
+  {
+    const auto v = vertices_of(mesh, f);
+    double smallest = 180.;
+    for(int i = 0; i < 3; ++i)
+      smallest = (std::min)(
+          smallest, CGAL::approximate_angle(mesh.point(v[i]), mesh.point(v[(i + 1) % 3]), mesh.point(v[(i + 2) % 3])));
+    sum += 1. / std::tan(smallest * CGAL_PI / 180.);
+  }
+  const Cotangents cotangents(ring, p);
+  EXPECT_NEAR(cotangents.sum(), sum, 1e-12 * sum);
+  constexpr double step = 1e-5;
+  for(const Vector& way : {Vector(step, 0., 0.), Vector(0., step, 0.), Vector(0., 0., step)})
+    EXPECT_NEAR((Cotangents(ring, p + way).sum() - Cotangents(ring, p - way).sum()) / (2. * step),
+                cotangents.slope() * way / step, 1e-7);
+}
+
+TEST(Angle_relaxation, angles_grow_and_no_good_one_is_lost)
+{
+  const Mesh surface = torus(1);
+  Start start;
+  spoil(surface, .2, start);
+  const Surface_walker walker(surface);
+  Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained);
+  const auto measure = [&](double& sum, double& worst) {
+    sum = worst = 0.;
+    for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+    {
+      const Vertex_ring ring(remeshed, v);
+      sum += Cotangents(ring, remeshed.spot(v).point).sum();
+      worst = (std::max)(worst, ring.badness());
+    }
+  };
+  const std::vector<Quadric> planes = quadrics(remeshed, Nearest_vertices(remeshed));
+  const double good = badness_of_angle(40.);
+  double sum, worst;
+  measure(sum, worst);
+  const double first = sum;
+  for(int i = 0; i < 10; ++i)
+  {
+    const double sum_before = sum, worst_before = worst;
+    relax_angles(remeshed, planes, good, .1);
+    measure(sum, worst);
+    EXPECT_LT(sum, sum_before);
+    EXPECT_LE(worst, (std::max)(worst_before, good));
+  }
+  EXPECT_LT(sum, .8 * first);
+}
+
 class Improvement_to_a_count : public testing::TestWithParam<std::size_t>
 {};
 

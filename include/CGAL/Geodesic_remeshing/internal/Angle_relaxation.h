@@ -45,8 +45,7 @@ private:
     const double product = is_at_vertex ? from_a * from_b : is_at_b ? z - along : along;
     const Vector slope_of_product = is_at_vertex ? from_a + from_b : is_at_b ? -rim : rim;
     m_sum += product * inverse;
-    m_slope =
-        m_slope + inverse * (slope_of_product - (product * inverse * inverse) * (z * from_a - along * rim));
+    m_slope = m_slope + inverse * (slope_of_product - (product * inverse * inverse) * (z * from_a - along * rim));
   }
 
   double m_sum = 0.;
