@@ -53,9 +53,9 @@ private:
 };
 
 // Steps down the slope, as long as this part of an edge or .3 of that, if they make the sum of cotangents less: steps
-// towards the centre of the neighbours make edges even, not angles. Two sweeps at the end gain .4 degrees of the mean
-// smallest angle, at any number of vertices, for five percent of the time; held back by the planes of the input they
-// cost nothing of the distances from it, and without 3 percent. No triangle gets worse than `badness` that is not.
+// towards the centre of the neighbours make edges even, not angles. Held back by the planes of the input they bring the
+// triangles no farther from it; without, the RMS distance grows by 3 percent. No triangle gets worse than `badness`
+// that is not. A sweep takes 3 percent of the time at 10,000 vertices.
 inline void relax_angles(Remeshed_surface& remeshed, const std::vector<Quadric>& quadric, const double badness,
                          const double part)
 {
