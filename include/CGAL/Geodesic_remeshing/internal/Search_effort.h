@@ -47,6 +47,9 @@ inline bool is_moderate(const Remeshed_surface& remeshed, const std::size_t numb
 // One step of an excess is what the energy may rise by on the way: then one pair may divide into two that glide in
 // other directions, to where they meet a third. The fewer vertices, the more time there is for that: with 16 nodes a
 // step 3.9 in place of 4.7 percent of the vertices are irregular on sixteen models at 5,000, with 40 3.7, with 80 3.5.
+// Beside lines, above all those that are kept, many stay irregular whatever is tried: of 3,657 searches on anchor_dense
+// 134 found something, after 16 nodes in the mean, and the others looked at 133 each. With 16 instead of 40 a step most
+// meshes with lines have the same figures, for up to a third less time.
 inline Search_effort search_effort(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
 {
   constexpr int one_step = 6;
@@ -65,6 +68,8 @@ inline Search_effort search_effort(const Remeshed_surface& remeshed, const std::
     effort.barrier = one_step;
     effort.least_angle = 33.;
   }
+  else if(remeshed.has_lines())
+    effort.nodes = 16;
   return effort;
 }
 
