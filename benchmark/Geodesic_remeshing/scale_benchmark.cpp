@@ -3,14 +3,18 @@
 //   scale_benchmark MESH SUBDIVISIONS INPUT_VERTICES OUTPUT_VERTICES
 //
 // MESH is subdivided so many times, and then, unless INPUT_VERTICES is zero, remeshed to that number: the input. One
-// row a process, since memory that was used before would serve again. Without arguments: the head of the table.
+// row a process, since memory that was used before would serve again. The last column is the time of CGAL's
+// isotropic_remeshing() with the same length of edges. Without arguments: the head of the table.
 //
 //   scale_benchmark --stages MESH OUTPUT_VERTICES
 //
 // prints another table, of the milliseconds and the share of each stage, the least of nine runs.
 
+#include "remeshers.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/geodesic_remeshing.h>
@@ -81,8 +85,8 @@ void print_head()
   std::cout << "| input | output |";
   for(const auto& column : columns)
     std::cout << " " << column.first << " |";
-  std::cout << " total | microseconds a vertex | peak MB | bytes a vertex |\n|";
-  for(std::size_t i = 0; i < std::size(columns) + 6; ++i)
+  std::cout << " total | microseconds a vertex | peak MB | bytes a vertex | isotropic_remeshing, 3 iterations |\n|";
+  for(std::size_t i = 0; i < std::size(columns) + 7; ++i)
     std::cout << "--:|";
   std::cout << "\n";
 }
@@ -102,7 +106,22 @@ void print_row(const std::size_t input, const CGAL::Geodesic_remeshing::Summary&
   }
   const double vertices = static_cast<double>(input + summary.number_of_vertices);
   std::cout << " " << total << " | " << 1e6 * total / vertices << " | " << std::setprecision(0) << bytes / 1e6 << " | "
-            << bytes / vertices << " |\n";
+            << bytes / vertices << " |";
+}
+
+// Beyond some size it takes minutes.
+void print_isotropic(const Mesh& input, const std::size_t number_of_vertices)
+{
+  constexpr std::size_t most = 2000000;
+  CGAL::Timer timer;
+  timer.start();
+  if(input.number_of_vertices() <= most)
+    benchmark::isotropic(input, benchmark::uniform_edge_length(input, number_of_vertices), 3);
+  timer.stop();
+  if(input.number_of_vertices() <= most)
+    std::cout << " " << std::setprecision(2) << timer.time() << " |\n";
+  else
+    std::cout << " |\n";
 }
 
 bool print_stages(const std::string& file, const long vertices)
@@ -147,5 +166,6 @@ int main(int argc, char* argv[])
   const double before = memory("VmRSS");
   const auto summary = CGAL::geodesic_remeshing(input, std::atol(argv[4]), output);
   print_row(input.number_of_vertices(), summary, memory("VmHWM") - before);
+  print_isotropic(input, output.number_of_vertices());
   return EXIT_SUCCESS;
 }
