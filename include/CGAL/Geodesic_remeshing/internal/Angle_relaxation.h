@@ -60,8 +60,7 @@ inline void relax_angles(Remeshed_surface& remeshed, const std::vector<Quadric>&
                          const double part)
 {
   using Index = Lean_triangulation::Index;
-  // On machine parts the second leaves half as much of what the first adds to the RMS distance, 1.6 percent.
-  const Quadric_guard guard(remeshed, quadric, remeshed.has_features() ? .15 : .6);
+  const Quadric_guard guard(remeshed, quadric, .6);
   const auto is_good = [&](const Vertex_ring& ring, const Remeshed_surface::Spot& spot) {
     if(ring.is_below(badness, spot))
       return true;
