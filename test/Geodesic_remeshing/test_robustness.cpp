@@ -124,6 +124,34 @@ TEST(Hard_surface, far_from_the_origin)
   EXPECT_NEAR(support::quality_of(output).mean_smallest_angle, support::quality_of(near).mean_smallest_angle, 1.);
 }
 
+// There the coordinates themselves are no finer than 1e-7 of the size.
+TEST(Hard_surface, so_far_from_the_origin_that_coordinates_are_rounded)
+{
+  const Mesh far = made::moved(made::torus(3, 1, 30, 14), Vector(8e9, -8e9, 8e9));
+  Mesh output;
+  CGAL::geodesic_remeshing(far, 400, output);
+  EXPECT_EQ(faults(GR::is_valid_remeshing(far, output, gp::expected_number_of_vertices(400))), "");
+  EXPECT_FALSE(GR::is_valid_remeshing(far, output, gp::surface_tolerance(1e-12)).is_on_surface);
+}
+
+TEST(Hard_surface, without_area)
+{
+  Mesh line, output;
+  for(int i = 0; i < 10; ++i)
+    line.add_vertex(Point(i, 2. * i, 0.));
+  for(int i = 0; i + 2 < 10; ++i)
+    line.add_face(Vertex(i), Vertex(i + 1 + i % 2), Vertex(i + 2 - i % 2));
+  try
+  {
+    CGAL::geodesic_remeshing(line, 100, output);
+    FAIL() << "remeshed";
+  }
+  catch(const std::invalid_argument& e)
+  {
+    EXPECT_NE(std::string(e.what()).find("no area"), std::string::npos) << e.what();
+  }
+}
+
 // All distances are equal to many others: nothing but the numbers of the vertices can decide.
 TEST(Hard_surface, ties_everywhere)
 {

@@ -17,6 +17,7 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <stdexcept>
@@ -152,7 +153,8 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *   \cgalParamNBegin{surface_tolerance}
  *     \cgalParamDescription{how far from the surface a vertex may be, as a part of the diagonal of the box of `tmesh`}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{`1e-9`}
+ *     \cgalParamDefault{`1e-9`, or eight units of the last place of the largest coordinate where that is more: far from
+ *                       the origin}
  *     \cgalParamExtra{The vertices of a mesh made with `do_project(false)` are off the surface, by less than an edge
  *                     length.}
  *   \cgalParamNEnd
@@ -254,8 +256,8 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
       choose_parameter(get_parameter(np_in, internal_np::expected_number_of_vertices), result.number_of_vertices));
   result.has_number_of_vertices = expected == result.number_of_vertices;
   result.distance = comparison.distance_of_vertices();
-  result.is_on_surface =
-      result.distance <= choose_parameter(get_parameter(np_in, internal_np::surface_tolerance), 1e-9);
+  result.is_on_surface = result.distance <= choose_parameter(get_parameter(np_in, internal_np::surface_tolerance),
+                                                             (std::max)(1e-9, comparison.distance_of_rounding()));
   result.degenerate_faces = comparison.number_of_degenerate_faces();
   result.flipped_faces = comparison.number_of_flipped_faces();
   result.self_intersections = number_of_self_intersections<Concurrency_tag_of<NamedParametersIn>>(output.mesh);

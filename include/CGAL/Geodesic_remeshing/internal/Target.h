@@ -33,6 +33,8 @@ inline double edge_length_for(double area, std::size_t vertices)
 // Fourth powers of lengths, which the predicates compare, must neither vanish nor overflow.
 inline void check_scale(double edge_length)
 {
+  if(!(edge_length > 0.))
+    reject("the surface has no area: its faces are degenerate, or too small to compute with");
   if(!(edge_length > 1e-70) || !(edge_length < 1e70))
     reject("the coordinates are too small or too large to compute with");
 }

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -94,6 +95,8 @@ public:
   {
     const Bbox_3 box = Polygon_mesh_processing::bbox(input);
     m_diagonal = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+    for(const double x : {box.xmin(), box.xmax(), box.ymin(), box.ymax(), box.zmin(), box.zmax()})
+      m_largest_coordinate = (std::max)(m_largest_coordinate, std::abs(x));
     // A face of hardly any area has no plane to project on: the tree would tell any distance. It is nowhere far from
     // its edges.
     std::vector<Face> solid;
@@ -112,6 +115,12 @@ public:
 
   const Shape& input_shape() const { return m_input_shape; }
   const Shape& output_shape() const { return m_output_shape; }
+
+  // What the rounding of its coordinates may take a point off the surface: some units of the last place
+  double distance_of_rounding() const
+  {
+    return relative(8. * std::numeric_limits<double>::epsilon() * m_largest_coordinate);
+  }
 
   double distance_of_vertices() const
   {
@@ -240,7 +249,7 @@ private:
   const Mesh& m_output;
   const Concurrency m_concurrency;
   const Shape m_input_shape, m_output_shape;
-  double m_diagonal;
+  double m_diagonal, m_largest_coordinate = 0.;
   AABB_tree<AABB_traits_3<Kernel, Primitive>> m_input_faces;
   Edge_tree m_edges_of_thin_faces;
 };
