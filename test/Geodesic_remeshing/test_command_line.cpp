@@ -926,6 +926,16 @@ TEST_F(Command_line, hints_at_thin_places)
             std::string::npos);
   EXPECT_NE(hint(off_of_walls(.015, .05), " --vertices 400").find("the input intersects itself there"),
             std::string::npos);
+  // Two hundred pages of a book along one edge, where each new face meets hundreds of others
+  std::ostringstream points, faces;
+  for(int i = 0; i < 200; ++i)
+  {
+    points << std::cos(.03 * i) << " " << std::sin(.03 * i) << " .5\n";
+    faces << "3 0 1 " << i + 2 << "\n";
+  }
+  EXPECT_NE(hint("OFF\n202 200 0\n0 0 0\n0 0 1\n" + points.str() + faces.str(), " --vertices 2000")
+                .find("the input intersects itself there"),
+            std::string::npos);
 }
 
 // Cut off anywhere or with a bit turned over anywhere: a mesh, or one line that says what is wrong

@@ -76,6 +76,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t most = 1000; // of very many pairs or faces, these tell as much
+
   std::array<Point, 3> corners(Face f) const
   {
     const auto h = m_output.halfedge(f);
@@ -83,16 +85,27 @@ private:
              m_output.point(m_output.target(m_output.next(h)))}};
   }
 
+  // Each once; a face may be in hundreds of pairs.
+  std::vector<Face> faces_in_pairs() const
+  {
+    std::vector<Face> faces;
+    for(const auto& pair : m_pairs)
+      faces.insert(faces.end(), {pair.first, pair.second});
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
   bool does_input_intersect(const Tree& tree) const
   {
+    const std::vector<Face> faces = faces_in_pairs();
     std::vector<Face> near;
-    for(const auto& pair : m_pairs)
-      for(const Face f : {pair.first, pair.second})
-      {
-        const auto p = corners(f);
-        tree.all_intersected_primitives(Kernel::Iso_cuboid_3(p[0].bbox() + p[1].bbox() + p[2].bbox()),
-                                        std::back_inserter(near));
-      }
+    for(std::size_t i = 0; i < faces.size(); i += 1 + faces.size() / most)
+    {
+      const auto p = corners(faces[i]);
+      tree.all_intersected_primitives(Kernel::Iso_cuboid_3(p[0].bbox() + p[1].bbox() + p[2].bbox()),
+                                      std::back_inserter(near));
+    }
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::vector<std::pair<Face, Face>> pairs;
@@ -128,8 +141,7 @@ private:
   // is that of a wedge, which tells nothing, unless there is nothing else.
   double width_in_edges(const Tree& tree) const
   {
-    constexpr std::size_t most = 1000; // of very many pairs, these tell as much
-    constexpr double least = .02;      // else it would be 2500 times as many vertices
+    constexpr double least = .02; // else it would be 2500 times as many vertices
     std::vector<double> widths;
     const std::size_t step = 1 + m_pairs.size() / most;
     std::size_t number = 0;
