@@ -127,7 +127,7 @@ def panel(mesh_file, label, file_name):
     render(poly_data(points, triangles, angles), outline(points, triangles[worst]), center,
            figures.normalized(figures.cross(minus(q, p), minus(r, p))), edge, file_name)
     subprocess.run(["convert", file_name, "-filter", "Box", "-resize", f"{100 / figures.PIXELS}%", "-background", "white", "-gravity", "center",
-                    "-pointsize", "14", f"label:{label}: {angles[worst]:.0f}°", "-append", "-bordercolor", "white", "-border", "4",
+                    "-font", "DejaVu-Sans", "-pointsize", "14", f"label:{label}: {angles[worst]:.0f}°", "-append", "-bordercolor", "white", "-border", "4",
                     file_name], check=True)
 
 
