@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -159,6 +160,24 @@ TEST(Validity_of_lines, boundary_and_constrained_edges)
   // a corner of the boundary is cut off
   CGAL::Euler::remove_face(coarse.halfedge(*coarse.faces().begin()), coarse);
   EXPECT_EQ(faults(is_valid_remeshing(plane, coarse)), "lines ");
+}
+
+// What a boundary turns to and fro within an edge of the output no mesh of that size covers; of a smooth one the same
+// distance is a fault.
+TEST(Validity_of_lines, rough_boundary)
+{
+  Mesh rough = made::plane(60), output;
+  std::mt19937 random(3);
+  for(const Vertex v : rough.vertices())
+    rough.point(v) = rough.point(v) + Vector(0., 0., 4. * random() / static_cast<double>(std::mt19937::max()));
+  CGAL::geodesic_remeshing(rough, 200, output);
+  const auto validity = is_valid_remeshing(rough, output);
+  EXPECT_GT(validity.line_distance, .015);
+  EXPECT_EQ(faults(validity), "");
+  EXPECT_EQ(faults(is_valid_remeshing(rough, output, gp::line_tolerance(.015))), "lines ");
+  const Mesh narrower = made::moved(made::scaled(made::plane(20), 2.88), Vector(1.2, 1.2, 0.));
+  EXPECT_EQ(faults(is_valid_remeshing(made::plane(60), narrower)), "lines ");
+  EXPECT_LT(is_valid_remeshing(made::plane(60), narrower).line_distance, .03);
 }
 
 TEST(Validity_of_lines, bad_input_is_refused)

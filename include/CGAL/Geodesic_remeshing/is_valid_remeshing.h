@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_IS_VALID_REMESHING_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/compare_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/compare_surfaces.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
@@ -162,8 +163,10 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamDescription{how far a point of a boundary or of a constrained edge may be from the edges of the output,
  *                           as a part of that diagonal}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{`0.01`}
- *     \cgalParamExtra{Straight lines are covered to rounding; curved ones to the height of an arc over an edge.}
+ *     \cgalParamDefault{`0.01`; for a line that turns to and fro between two vertices of `remeshed`, 2.5 times how far, in
+ *                       the mean, it leaves the chords of stretches as long as the edges, where that is more}
+ *     \cgalParamExtra{Straight lines are covered to rounding; curved ones to the height of an arc over an edge, and
+ *                     noise within an edge to its height.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
  *     \cgalParamDescription{whether several threads share the work; the result is the same}
@@ -263,9 +266,12 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   result.self_intersections = number_of_self_intersections<Concurrency_tag_of<NamedParametersIn>>(output.mesh);
   result.input_intersects_itself = result.self_intersections > 0 &&
                                    number_of_self_intersections<Concurrency_tag_of<NamedParametersIn>>(input.mesh) > 0;
-  result.line_distance = comparison.distance_of_lines(constrained_edges_of(tmesh, input.mesh, np_in));
-  result.covers_lines =
-      result.line_distance <= choose_parameter(get_parameter(np_in, internal_np::line_tolerance), .01);
+  const Line_comparison lines(input.mesh, output.mesh, constrained_edges_of(tmesh, input.mesh, np_in));
+  result.line_distance = comparison.relative(lines.distance());
+  if constexpr(is_given<NamedParametersIn, internal_np::line_tolerance_t>)
+    result.covers_lines = result.line_distance <= get_parameter(np_in, internal_np::line_tolerance);
+  else
+    result.covers_lines = lines.are_covered(.01 * comparison.diagonal());
   return result;
 }
 

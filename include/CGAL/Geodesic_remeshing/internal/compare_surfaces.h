@@ -156,24 +156,9 @@ public:
                            questions_of_a_block);
   }
 
-  // Of points on the marked and on the boundary edges of the input from the edges of the output
-  double distance_of_lines(const std::vector<char>& is_marked) const
-  {
-    constexpr int pieces = 4;
-    Edge_tree tree;
-    double largest = 0.;
-    for(Edge e : m_input.edges())
-    {
-      if(!m_input.is_border(e) && !is_marked[e.idx()])
-        continue;
-      if(tree.empty())
-        tree.rebuild(m_output.edges().begin(), m_output.edges().end(), m_output);
-      const Point &p = m_input.point(m_input.vertex(e, 0)), &q = m_input.point(m_input.vertex(e, 1));
-      for(int i = 0; i <= pieces; ++i)
-        largest = (std::max)(largest, tree.squared_distance(p + (i / double(pieces)) * (q - p)));
-    }
-    return relative(std::sqrt(largest));
-  }
+  // As a part of the diagonal of the input's box
+  double relative(double distance) const { return m_diagonal > 0. ? distance / m_diagonal : distance; }
+  double diagonal() const { return m_diagonal; }
 
 private:
   using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
@@ -242,8 +227,6 @@ private:
                                              std::back_inserter(faces));
     return std::all_of(faces.begin(), faces.end(), is_face_against);
   }
-
-  double relative(double distance) const { return m_diagonal > 0. ? distance / m_diagonal : distance; }
 
   const Mesh& m_input;
   const Mesh& m_output;
