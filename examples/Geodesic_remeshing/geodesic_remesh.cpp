@@ -17,6 +17,7 @@
 #include "command_line/output.h"
 #include "command_line/progress.h"
 #include "command_line/report.h"
+#include "command_line/sharp_edges.h"
 #include "command_line/sizing.h"
 #include "command_line/stage_files.h"
 #include "command_line/thin_places.h"

@@ -850,6 +850,23 @@ std::string as_soup(const std::string& off, double distance)
 } // namespace
 
 // What a scan or another program has left is seen, and the option that is named mends it.
+namespace {
+
+// A rectangle of 30 x 30 pieces, one of its points elsewhere
+std::string off_of_sheet(double length, double height)
+{
+  std::ostringstream points, faces;
+  for(int i = 0; i <= 30; ++i)
+    for(int j = 0; j <= 30; ++j)
+      points << length * i / 30. << " " << j / 30. << " " << (i == 12 && j == 17 ? height : 0.) << "\n";
+  for(int v = 0; v < 30 * 31; ++v)
+    if(v % 31 < 30)
+      faces << "4 " << v << " " << v + 31 << " " << v + 32 << " " << v + 1 << "\n";
+  return "OFF\n961 900 0\n" + points.str() + faces.str();
+}
+
+} // namespace
+
 TEST_F(Command_line, hints_at_options_that_mend_the_input)
 {
   const auto hint = [&](const std::string& input, const std::string& options) {
@@ -881,6 +898,9 @@ TEST_F(Command_line, hints_at_options_that_mend_the_input)
                             "(--fill-holes 3 closes them)\n");
   EXPECT_EQ(hint(hole, " --fill-holes 3"), "");
   EXPECT_EQ(hint(hole, " --quiet"), "");
+  EXPECT_EQ(hint(file("band.off", off_of_sheet(1e3, 0.)), ""), ""); // whose sides are near to each other for its edges
+  // a point far away makes the new edges so long that four would go around the sheet
+  EXPECT_EQ(hint(file("spike.off", off_of_sheet(1., 1e4)), "").find("hint"), std::string::npos);
   EXPECT_EQ(hint(mesh("rotor"), ""),
             "geodesic_remesh: hint: sharp edges of the input are cut off (--feature-angle 60 keeps them)\n");
   EXPECT_EQ(hint(mesh("rotor"), " --feature-angle 60"), "");

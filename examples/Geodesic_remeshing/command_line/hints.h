@@ -16,7 +16,6 @@
 #include "t_junctions.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
@@ -49,8 +48,6 @@ inline std::string short_number_above(double x)
   return short_number(unit * (std::floor(x / unit) + 1.));
 }
 
-constexpr double sharp_angle = 60.; // in degrees
-
 inline double target_edge_length(const Options& options, double area)
 {
   if(options.edge_length)
@@ -64,6 +61,7 @@ struct Parts
 {
   std::vector<std::size_t> part_of; // of each face
   std::vector<double> area;
+  std::vector<std::size_t> faces; // how many each has
   double whole = 0.;
   double tiny = 0.; // the area below which a part is not worth its vertices: that of four of the new triangles
 };
@@ -75,8 +73,12 @@ inline Parts find_parts(const Mesh& mesh, const Options& options)
   parts.part_of.resize(mesh.number_of_faces());
   const auto map = boost::make_iterator_property_map(parts.part_of.begin(), CGAL::get(boost::face_index, mesh));
   parts.area.resize(PMP::connected_components(mesh, map), 0.);
+  parts.faces.resize(parts.area.size(), 0);
   for(const Mesh::Face_index f : mesh.faces())
+  {
     parts.area[parts.part_of[f]] += PMP::face_area(f, mesh);
+    ++parts.faces[parts.part_of[f]];
+  }
   for(const double area : parts.area)
     parts.whole += area;
   const double length = target_edge_length(options, parts.whole);
@@ -84,7 +86,23 @@ inline Parts find_parts(const Mesh& mesh, const Options& options)
   return parts;
 }
 
+// The squared length of the shortest edge at each vertex that has a length
+inline std::vector<double> shortest_edges(const Mesh& mesh)
+{
+  std::vector<double> shortest(mesh.number_of_vertices(), std::numeric_limits<double>::infinity());
+  for(const auto e : mesh.edges())
+  {
+    const auto v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    const double squared = CGAL::squared_distance(mesh.point(v), mesh.point(w));
+    if(squared > 0.)
+      for(const auto u : {v, w})
+        shortest[u] = (std::min)(shortest[u], squared);
+  }
+  return shortest;
+}
+
 // Cracks: many vertices of the boundary have another one, not beside them, at a distance that is small for an edge.
+// Across a narrow band of long triangles it is not small for the edges there.
 inline std::string hint_at_cracks(const Mesh& mesh)
 {
   std::vector<Point> points;
@@ -104,17 +122,18 @@ inline std::string hint_at_cracks(const Mesh& mesh)
   if(boundary.empty() || !(length > 0.))
     return "";
   const Near_points near(points, boundary, .1 * length / static_cast<double>(boundary.size()));
+  const std::vector<double> shortest = shortest_edges(mesh);
   std::size_t number = 0;
   double farthest = 0.;
   for(const std::size_t v : boundary)
   {
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = shortest[v];
     near.for_each_near(v, [&](const std::size_t w) {
       // those at the same point have been parted by the repair, or by who made the file
       if(w != v && w != next[v] && w != previous[v] && points[w] != points[v])
         nearest = (std::min)(nearest, CGAL::squared_distance(points[v], points[w]));
     });
-    if(nearest < std::numeric_limits<double>::infinity())
+    if(nearest < shortest[v])
     {
       ++number;
       farthest = (std::max)(farthest, std::sqrt(nearest));
@@ -176,6 +195,13 @@ inline std::string hint_at_tiny_parts(const Parts& parts)
          short_number_above(100. * largest / parts.whole) + " leaves them out)";
 }
 
+// Not what a sheet ends at: around a disc of n faces there are 2.3 sqrt(n) edges. That counts faces of the input, as a
+// single point far away makes all areas and new edges large.
+inline bool is_small_for(const Parts& parts, std::size_t part, std::size_t edges)
+{
+  return edges < parts.faces[part] / edges;
+}
+
 // Of parts that are larger, holes around which there are at most four of the new edges
 inline std::string hint_at_tiny_holes(const Mesh& mesh, const Parts& parts, double edge_length)
 {
@@ -190,9 +216,10 @@ inline std::string hint_at_tiny_holes(const Mesh& mesh, const Parts& parts, doub
       ++edges;
       length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
     }
-    if(parts.area[parts.part_of[mesh.face(mesh.opposite(hole))]] < parts.tiny)
+    const std::size_t part = parts.part_of[mesh.face(mesh.opposite(hole))];
+    if(parts.area[part] < parts.tiny)
       continue;
-    if(length < 4. * edge_length)
+    if(length < 4. * edge_length && is_small_for(parts, part, edges))
       tiny.push_back(edges);
     else
       fewest_of_others = (std::min)(fewest_of_others, edges);
@@ -205,67 +232,7 @@ inline std::string hint_at_tiny_holes(const Mesh& mesh, const Parts& parts, doub
          std::to_string(*std::max_element(tiny.begin(), tiny.end())) + " closes them)";
 }
 
-inline double length_of(const Mesh& mesh, Mesh::Edge_index e)
-{
-  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-}
-
-// Whether the way over a vertex, by the edges of these two halfedges to it, goes nearly straight on
-inline bool goes_straight_on(const Mesh& mesh, Mesh::Halfedge_index h, Mesh::Halfedge_index g)
-{
-  const Point& p = mesh.point(mesh.target(h));
-  return CGAL::approximate_angle(mesh.point(mesh.source(h)), p, mesh.point(mesh.source(g))) > 135.;
-}
-
-// The length of all sharp edges, and of those in rows that go straight on for longer than `least`
-inline std::pair<double, double> lengths_of_sharp_edges(const Mesh& mesh, double least)
-{
-  std::vector<char> is_sharp(mesh.number_of_edges(), 0);
-  CGAL::Polygon_mesh_processing::detect_sharp_edges(
-      mesh, sharp_angle, boost::make_iterator_property_map(is_sharp.begin(), CGAL::get(boost::edge_index, mesh)));
-  for(const auto e : mesh.edges())
-    is_sharp[e.idx()] = is_sharp[e.idx()] && !mesh.is_border(e); // which are kept anyway
-  Disjoint_sets rows(mesh.number_of_edges());
-  for(const auto v : mesh.vertices())
-  {
-    std::vector<Mesh::Halfedge_index> sharp;
-    for(const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
-      if(is_sharp[mesh.edge(h).idx()])
-        sharp.push_back(h);
-    if(sharp.size() == 2 && goes_straight_on(mesh, sharp[0], sharp[1]))
-      rows.union_set(mesh.edge(sharp[0]).idx(), mesh.edge(sharp[1]).idx());
-  }
-  std::vector<double> length(mesh.number_of_edges(), 0.);
-  for(const auto e : mesh.edges())
-    if(is_sharp[e.idx()])
-      length[rows.find_set(e.idx())] += length_of(mesh, e);
-  std::pair<double, double> result(0., 0.);
-  for(const double l : length)
-  {
-    result.first += l;
-    result.second += l > least ? l : 0.;
-  }
-  return result;
-}
-
 } // namespace internal
-
-// After remeshing. Machine parts: their sharp edges are in long rows, those of noise and of coarse models are not. Some
-// are kept without being asked for, the long creases of an input of few faces; they are marked in the output.
-inline std::string hint_at_sharp_edges(const Mesh& mesh, double edge_length, const Mesh& output,
-                                       Mesh::Property_map<Mesh::Edge_index, bool> is_line)
-{
-  double kept = 0.;
-  for(const auto e : output.edges())
-    if(is_line[e] && !output.is_border(e))
-      kept += internal::length_of(output, e);
-  const auto [all, in_rows] = internal::lengths_of_sharp_edges(mesh, 4. * edge_length);
-  if(in_rows < 1.5 * std::sqrt(CGAL::Polygon_mesh_processing::area(mesh)) || in_rows < all * 2. / 3. ||
-     kept > .5 * in_rows)
-    return "";
-  return "sharp edges of the input are cut off (--feature-angle " + internal::short_number(internal::sharp_angle) +
-         " keeps them)";
-}
 
 // One line, empty where there is nothing to say. Behind cracks, parts and holes are not what they seem.
 inline std::string hints(const Mesh& mesh, const Options& options)

@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// How far a line leaves the chords of its stretches of a given length, in the mean. Of a straight line that is nothing, of
-// a smooth one the height of an arc, and a single corner counts for little; a line that turns to and fro within every
-// stretch leaves them by its noise. A ring goes on behind its end; of a short one the stretches are thirds, as no mesh
-// has fewer edges around it.
+// How far a line leaves the chords of its stretches of a given length, in the mean. Of a straight line that is nothing,
+// of a smooth one the height of an arc, and a single corner counts for little; a line that turns to and fro within
+// every stretch leaves them by its noise. A ring goes on behind its end; of a short one the stretches are thirds, as no
+// mesh has fewer edges around it.
 class Line_roughness
 {
 public:

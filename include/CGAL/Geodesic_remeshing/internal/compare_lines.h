@@ -45,8 +45,7 @@ inline double edge_length_along(const Mesh& input, const Mesh& output)
   const auto on_boundary = std::count_if(all.begin(), all.end(), [&](Edge e) { return output.is_border(e); });
   const double faces = static_cast<double>(output.number_of_faces());
   const double inside = std::sqrt(4. / std::sqrt(3.) * Polygon_mesh_processing::area(input) / faces);
-  return on_boundary == 0 ? inside
-                          : (std::max)(inside, length_of_boundary(input) / static_cast<double>(on_boundary));
+  return on_boundary == 0 ? inside : (std::max)(inside, length_of_boundary(input) / static_cast<double>(on_boundary));
 }
 
 // The marked and the boundary edges of an input, and the edges of an output, by the two meshes alone
@@ -67,10 +66,7 @@ public:
   }
 
   // The largest one of all lines from the edges of the output
-  double distance() const
-  {
-    return m_distance.empty() ? 0. : *std::max_element(m_distance.begin(), m_distance.end());
-  }
+  double distance() const { return m_distance.empty() ? 0. : *std::max_element(m_distance.begin(), m_distance.end()); }
 
   // Whether each line is within a tolerance; or if it turns to and fro between two vertices of the output, as noise and
   // torn edges do, within what no mesh of that size follows: of noise, the farthest parts leave the chords of such
