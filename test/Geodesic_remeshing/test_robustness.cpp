@@ -351,6 +351,29 @@ TEST(Hard_surface, thin_walls_and_folds)
   EXPECT_LE(blemished.size(), cases.size() / 3) << testing::PrintToString(blemished);
 }
 
+namespace {
+
+// That a refusal of four vertices says to try
+std::size_t number_to_try(const Mesh& input)
+{
+  Mesh output;
+  std::string message;
+  try
+  {
+    CGAL::geodesic_remeshing(input, 4, output);
+  }
+  catch(const GR::Remeshing_error& error)
+  {
+    message = error.what();
+  }
+  const std::string before = "; try ";
+  EXPECT_NE(message.find(before), std::string::npos) << message;
+  return message.find(before) == std::string::npos ? 4
+                                                   : std::stoul(message.substr(message.find(before) + before.size()));
+}
+
+} // namespace
+
 // Handles, thin places, corners and lines need more vertices than the bounds that a refusal tells: it names a number
 // that can be reached, too.
 TEST(Hard_surface, refusals_name_a_number_that_can_be_reached)
@@ -360,21 +383,32 @@ TEST(Hard_surface, refusals_name_a_number_that_can_be_reached)
     SCOPED_TRACE(name);
     const Mesh input = read_model(name);
     Mesh output;
-    std::string message;
-    try
-    {
-      CGAL::geodesic_remeshing(input, 4, output);
-    }
-    catch(const GR::Remeshing_error& error)
-    {
-      message = error.what();
-    }
-    const std::string before = "; try ";
-    ASSERT_NE(message.find(before), std::string::npos) << message;
-    const std::size_t number = std::stoul(message.substr(message.find(before) + before.size()));
-    EXPECT_NO_THROW(CGAL::geodesic_remeshing(input, number, output)) << message;
+    const std::size_t number = number_to_try(input);
+    EXPECT_NO_THROW(CGAL::geodesic_remeshing(input, number, output));
     EXPECT_EQ(output.number_of_vertices(), number);
   }
+}
+
+// Each of them can have four vertices, and hardly any needs more.
+TEST(Hard_surface, refusals_of_very_many_parts_name_no_needless_number)
+{
+  std::vector<Mesh> parts;
+  for(int i = 0; i < 200; ++i)
+    parts.push_back(made::moved(made::scaled(made::tetrahedron(), 1. + .001 * i), Vector(4. * i, 0., 0.)));
+  const Mesh input = made::together(parts);
+  const std::size_t number = number_to_try(input);
+  EXPECT_LE(number, 2u * 4u * parts.size());
+  expect_valid(input, number);
+}
+
+// All that is left is to make edges longer, which flattens faces that are flat already.
+TEST(Hard_surface, any_number_of_vertices_on_a_band_narrower_than_edges)
+{
+  Mesh band = made::plane(20);
+  for(const Vertex v : band.vertices())
+    band.point(v) = Point(500. * band.point(v).x(), .05 * band.point(v).y(), 0.);
+  for(const std::size_t number : {10, 20, 50, 51, 100, 101, 200})
+    expect_valid(band, number);
 }
 
 // On sharp creases a corner is as near to a face that looks away as to its own: that alone turns no face over.

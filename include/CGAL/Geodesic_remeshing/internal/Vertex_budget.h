@@ -113,14 +113,14 @@ struct Vertex_budget
 };
 
 // What is needed are bounds from below: a number that can be reached is named with them. Of a hundred models all did
-// with three times as many.
-inline void check_number_of_vertices(std::size_t number, std::size_t topology, std::size_t lines)
+// with three times as many, and those in very many parts with `enough` for their topology.
+inline void check_number_of_vertices(std::size_t number, std::size_t topology, std::size_t enough, std::size_t lines)
 {
-  const std::size_t enough = 3 * (std::max)(topology, lines);
   const auto reject_number = [&](std::size_t needed, const std::string& what) {
     if(number < needed)
       throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: " + what + " " +
-                            std::to_string(needed) + " at the least; try " + std::to_string(enough));
+                            std::to_string(needed) + " at the least; try " +
+                            std::to_string((std::max)(enough, 3 * lines)));
   };
   reject_number(lines, "the corners and lines of the input need");
   reject_number(topology, "the topology of the input needs");
@@ -148,6 +148,7 @@ inline Vertex_budget make_budget(const Any_target& target, const Working_surface
   std::vector<Extent> extents = extents_of_components(working, constraints);
   const Line_budget lines(working.mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
   const std::size_t fewest = sum_over(extents, [](const Extent& e) { return e.fewest(); });
+  const std::size_t enough = enough_vertices(extents);
   if(constraints.are_kept)
     for(Extent& e : extents)
       e.corners = 0; // they are what `Line_budget::surplus()` counts
@@ -160,7 +161,7 @@ inline Vertex_budget make_budget(const Any_target& target, const Working_surface
             0., lines.surplus(spacing) + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })))));
   else if(faces != nullptr)
     number += (faces->value + lines.edges_on_boundary(spacing)) / 2 - faces->value / 2; // F = 2 V - 2 chi - B
-  check_number_of_vertices(number, fewest, lines.fewest());
+  check_number_of_vertices(number, fewest, enough, lines.fewest());
   const std::size_t even = lines.is_uneven() ? number_if_even(extents, lines, number) : number;
   const double edge_length = edge_length_for(extents, even, wanted);
   if(faces == nullptr)

@@ -92,7 +92,8 @@ inline bool Vertex_count::reach(const std::size_t number_of_vertices)
 
 inline bool Vertex_count::reach_at_any_cost(const std::size_t number_of_vertices)
 {
-  for(const double angle : {10., 5., 2., 1.})
+  // of a band narrower than edges are long all faces are flatter than one degree
+  for(const double angle : {10., 5., 2., 1., .1, .01})
     for(const std::size_t more : {0, 5000})
     {
       m_least_angle = angle;
