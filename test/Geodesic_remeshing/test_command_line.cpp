@@ -690,6 +690,70 @@ TEST_F(Command_line, solids_that_touch_along_an_edge_are_parted)
   EXPECT_EQ(of_output({{"#########", "#.#.#.#.#", "#########"}}, 3), (Shape{{1, 4, 0}}));
 }
 
+namespace {
+
+// The faces of an OFF file of triangles, each with vertices of its own, which are moved a little
+std::string as_soup(const std::string& off, double distance)
+{
+  std::istringstream in(off);
+  std::string word;
+  std::size_t vertices, faces, edges, n;
+  in >> word >> vertices >> faces >> edges;
+  std::vector<std::array<double, 3>> points(vertices);
+  for(auto& p : points)
+    in >> p[0] >> p[1] >> p[2];
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n" << 3 * faces << " " << faces << " 0\n";
+  for(std::size_t i = 0; i < 3 * faces; ++i)
+  {
+    std::size_t v;
+    in >> (i % 3 == 0 ? n : v);
+    if(i % 3 == 0)
+      in >> v;
+    out << points[v][0] + distance * std::sin(double(i)) << " " << points[v][1] << " " << points[v][2] << "\n";
+  }
+  for(std::size_t i = 0; i < faces; ++i)
+    out << "3 " << 3 * i << " " << 3 * i + 1 << " " << 3 * i + 2 << "\n";
+  return out.str();
+}
+
+} // namespace
+
+// Two cubes, each face with points of its own, that have a wall in common: both go, and the rest is one solid. Of a
+// solid that is there twice one is left.
+TEST_F(Command_line, walls_between_solids_are_dropped)
+{
+  const std::string faces = "3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n3 3 6 7\n"
+                            "3 0 4 2\n3 2 4 6\n3 1 3 5\n3 3 7 5\n";
+  std::ostringstream points, mirrored;
+  for(const int sign : {1, -1})
+    for(int i = 0; i < 8; ++i)
+      points << sign * (i >> 2) << " " << (i >> 1) % 2 << " " << i % 2 << "\n";
+  std::istringstream in(faces);
+  for(int n, a, b, c; in >> n >> a >> b >> c;)
+    mirrored << "3 " << a + 8 << " " << c + 8 << " " << b + 8 << "\n";
+  const auto length_of = [&](const std::string& second) {
+    const std::string soup = as_soup("OFF\n16 24 0\n" + points.str() + faces + second, 0.);
+    const Outcome outcome = run(file("soup.off", soup) + " " + output() +
+                                " --vertices 500 --feature-angle 60 --check --report " + output("r.json"));
+    EXPECT_EQ(outcome.out.find("NO"), std::string::npos) << outcome.out;
+    const auto result = nlohmann::json::parse(contents(output("r.json")))["output"];
+    EXPECT_EQ(result["components"], 1);
+    EXPECT_EQ(result["genus"], 0);
+    EXPECT_EQ(result["boundary_loops"], 0);
+    double low = 0., high = 0.;
+    for(const auto& p : points_of_off(output()))
+    {
+      low = (std::min)(low, p[0]);
+      high = (std::max)(high, p[0]);
+    }
+    return high - low;
+  };
+  EXPECT_NEAR(length_of(mirrored.str()), 2., 1e-9);
+  EXPECT_NEAR(length_of(faces), 1., 1e-9);
+}
+
 TEST_F(Command_line, faces_with_points_of_their_own_are_joined)
 {
   const std::string soup =
@@ -821,37 +885,6 @@ TEST_F(Command_line, holes_are_filled_and_small_parts_dropped)
 
 namespace {
 
-// The faces of an OFF file of triangles, each with vertices of its own, which are moved a little
-std::string as_soup(const std::string& off, double distance)
-{
-  std::istringstream in(off);
-  std::string word;
-  std::size_t vertices, faces, edges, n;
-  in >> word >> vertices >> faces >> edges;
-  std::vector<std::array<double, 3>> points(vertices);
-  for(auto& p : points)
-    in >> p[0] >> p[1] >> p[2];
-  std::ostringstream out;
-  out.precision(17);
-  out << "OFF\n" << 3 * faces << " " << faces << " 0\n";
-  for(std::size_t i = 0; i < 3 * faces; ++i)
-  {
-    std::size_t v;
-    in >> (i % 3 == 0 ? n : v);
-    if(i % 3 == 0)
-      in >> v;
-    out << points[v][0] + distance * std::sin(double(i)) << " " << points[v][1] << " " << points[v][2] << "\n";
-  }
-  for(std::size_t i = 0; i < faces; ++i)
-    out << "3 " << 3 * i << " " << 3 * i + 1 << " " << 3 * i + 2 << "\n";
-  return out.str();
-}
-
-} // namespace
-
-// What a scan or another program has left is seen, and the option that is named mends it.
-namespace {
-
 // A rectangle of 30 x 30 pieces, one of its points elsewhere
 std::string off_of_sheet(double length, double height)
 {
@@ -865,8 +898,22 @@ std::string off_of_sheet(double length, double height)
   return "OFF\n961 900 0\n" + points.str() + faces.str();
 }
 
+// A sheet of 30 x 15 pieces, folded in the middle to two layers nearly on each other
+std::string off_of_folded_cloth()
+{
+  std::ostringstream points, faces;
+  for(int i = 0; i <= 30; ++i)
+    for(int j = 0; j <= 15; ++j)
+      points << std::abs(i - 15) / 15. << " " << j / 15. << " " << (i < 15 ? 0. : .005) << "\n";
+  for(int v = 0; v < 30 * 16; ++v)
+    if(v % 16 < 15)
+      faces << "4 " << v << " " << v + 16 << " " << v + 17 << " " << v + 1 << "\n";
+  return "OFF\n496 450 0\n" + points.str() + faces.str();
+}
+
 } // namespace
 
+// What a scan or another program has left is seen, and the option that is named mends it.
 TEST_F(Command_line, hints_at_options_that_mend_the_input)
 {
   const auto hint = [&](const std::string& input, const std::string& options) {
@@ -898,7 +945,8 @@ TEST_F(Command_line, hints_at_options_that_mend_the_input)
                             "(--fill-holes 3 closes them)\n");
   EXPECT_EQ(hint(hole, " --fill-holes 3"), "");
   EXPECT_EQ(hint(hole, " --quiet"), "");
-  EXPECT_EQ(hint(file("band.off", off_of_sheet(1e3, 0.)), ""), ""); // whose sides are near to each other for its edges
+  EXPECT_EQ(hint(file("cloth.off", off_of_folded_cloth()), ""), ""); // whose layers are near to each other
+  EXPECT_EQ(hint(file("band.off", off_of_sheet(1e3, 0.)), ""), "");  // whose sides are near to each other for its edges
   // a point far away makes the new edges so long that four would go around the sheet
   EXPECT_EQ(hint(file("spike.off", off_of_sheet(1., 1e4)), "").find("hint"), std::string::npos);
   EXPECT_EQ(hint(mesh("rotor"), ""),

@@ -33,6 +33,8 @@ namespace command_line {
 // wrote.
 namespace internal {
 
+using Vector = mesh_quality::Kernel::Vector_3;
+
 inline std::string short_number(double x)
 {
   std::ostringstream out;
@@ -101,6 +103,23 @@ inline std::vector<double> shortest_edges(const Mesh& mesh)
   return shortest;
 }
 
+// From each vertex towards its faces
+inline std::vector<Vector> ways_inside(const Mesh& mesh)
+{
+  std::vector<Vector> ways(mesh.number_of_vertices(), Vector(CGAL::NULL_VECTOR));
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      for(const auto v : {mesh.source(h), mesh.target(mesh.next(h))})
+        ways[mesh.target(h)] += mesh.point(v) - mesh.point(mesh.target(h));
+  return ways;
+}
+
+// Whether two sheets lie on different sides of where they end: not those of a folded cloth, one above the other
+inline bool face_each_other(const Vector& v, const Vector& w)
+{
+  return v * w < .5 * std::sqrt(v.squared_length() * w.squared_length());
+}
+
 // Cracks: many vertices of the boundary have another one, not beside them, at a distance that is small for an edge.
 // Across a narrow band of long triangles it is not small for the edges there.
 inline std::string hint_at_cracks(const Mesh& mesh)
@@ -123,6 +142,7 @@ inline std::string hint_at_cracks(const Mesh& mesh)
     return "";
   const Near_points near(points, boundary, .1 * length / static_cast<double>(boundary.size()));
   const std::vector<double> shortest = shortest_edges(mesh);
+  const auto inside = ways_inside(mesh);
   std::size_t number = 0;
   double farthest = 0.;
   for(const std::size_t v : boundary)
@@ -130,7 +150,7 @@ inline std::string hint_at_cracks(const Mesh& mesh)
     double nearest = shortest[v];
     near.for_each_near(v, [&](const std::size_t w) {
       // those at the same point have been parted by the repair, or by who made the file
-      if(w != v && w != next[v] && w != previous[v] && points[w] != points[v])
+      if(w != v && w != next[v] && w != previous[v] && points[w] != points[v] && face_each_other(inside[v], inside[w]))
         nearest = (std::min)(nearest, CGAL::squared_distance(points[v], points[w]));
     });
     if(nearest < shortest[v])

@@ -10,6 +10,7 @@
 #ifndef CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_REPAIR_H
 #define CGAL_GEODESIC_REMESHING_EXAMPLES_COMMAND_LINE_REPAIR_H
 
+#include "shared_walls.h"
 #include "soup.h"
 #include "touching_edges.h"
 
@@ -79,6 +80,7 @@ inline std::vector<std::string> repair(Soup& soup)
   std::vector<std::string> repairs;
   tell(repairs, "merged", PMP::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons), "duplicate points");
   tell(repairs, "dropped", drop_degenerate_faces(soup), "faces with a vertex twice");
+  tell(repairs, "dropped", Shared_walls(soup).drop(), "faces of walls between solids that touch");
   tell(repairs, "dropped", PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons),
        "duplicate faces");
   if(soup.polygons.empty())
