@@ -353,7 +353,9 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
  *
  * As the other overload, with `tmesh` replaced by the result at the very end. Property maps of `tmesh` other than the
  * points are not carried over; but those given as `edge_is_constrained_map` and `face_patch_map`, if they can be
- * written to, are filled for the result as the other overload fills the ones of its output.
+ * written to, are filled for the result as the other overload fills the ones of its output. Maps over ranges of fixed
+ * size, as `boost::make_iterator_property_map()` makes them, are only read: the result may have more elements. Others
+ * must have room for those, as the mesh's own property maps and dynamic ones have.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
  * @tparam Target as for the other overload

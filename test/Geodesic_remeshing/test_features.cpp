@@ -16,10 +16,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -757,6 +759,21 @@ TEST(Patches, in_place)
     EXPECT_EQ(patch[f], side(f));
 }
 
+// The result has more edges than the range has room for.
+TEST(Constrained_edges, maps_of_fixed_size_are_only_read_in_place)
+{
+  Mesh mesh = made::box(2, 2, 2);
+  const auto is_at_bottom = [&](Vertex v) { return mesh.point(v).z() < .5; };
+  std::unique_ptr<bool[]> marks(new bool[mesh.number_of_edges()]);
+  for(Edge e : mesh.edges())
+    marks[e.idx()] = is_at_bottom(mesh.vertex(e, 0)) && is_at_bottom(mesh.vertex(e, 1));
+  const std::vector<bool> before(marks.get(), marks.get() + mesh.number_of_edges());
+  const auto map = boost::make_iterator_property_map(marks.get(), CGAL::get(boost::edge_index, mesh));
+  geodesic_remeshing(mesh, 400, parameters::edge_is_constrained_map(map));
+  EXPECT_EQ(mesh.number_of_vertices(), 400u);
+  EXPECT_EQ(std::vector<bool>(marks.get(), marks.get() + before.size()), before);
+}
+
 // ---- components
 
 TEST(Regions_of_faces, are_those_of_the_segmented_surface)
@@ -1049,6 +1066,29 @@ TEST(Lines, corners_depend_on_the_scale)
   };
   EXPECT_GT(corners(.5), 35);
   EXPECT_LE(corners(8.), 8);
+}
+
+// Each of 80,000 turns is a candidate for a corner: to look at all corners for each took 10 seconds.
+TEST(Lines, corners_of_a_long_saw_take_no_time)
+{
+  constexpr int teeth = 40000;
+  Mesh saw;
+  for(int i = 0; i <= 2 * teeth; ++i)
+  {
+    saw.add_vertex(Point(i, i % 2 == 0 ? 1. : 2., 0.));
+    saw.add_vertex(Point(i, 0., 0.));
+  }
+  for(unsigned i = 0; i < 4 * teeth; i += 2)
+  {
+    saw.add_face(Vertex(i), Vertex(i + 1), Vertex(i + 3));
+    saw.add_face(Vertex(i), Vertex(i + 3), Vertex(i + 2));
+  }
+  internal::Input_surface<Mesh> copy;
+  internal::copy_input(saw, parameters::default_values(), copy, true);
+  const std::clock_t start = std::clock();
+  const Constraints c = internal::find_constraints(saw, parameters::default_values(), copy, 1.);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 3.);
+  EXPECT_GT(std::count(c.is_corner.begin(), c.is_corner.end(), 1), teeth);
 }
 
 TEST(Lines, single_bend_is_a_corner)

@@ -369,3 +369,37 @@ TEST(Improvement, what_the_topology_forbids_is_not_made)
   EXPECT_GT(start.mesh.number_of_vertices(), 6u);
   expect_valid(surface, start);
 }
+
+// A tip on a leash is taken away, and the next new vertex gets its slot, but not its leash; unless all is taken back.
+TEST(Remeshed_surface, new_vertex_is_not_held_by_the_one_before)
+{
+  const Mesh surface = torus(1);
+  Start start;
+  spoil(surface, 0., start);
+  const Surface_walker walker(surface);
+  Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained);
+  Lean_triangulation& table = remeshed.connectivity();
+  Index h = 0;
+  while(!table.is_collapse_legal(h))
+    ++h;
+  const Index v = table.source(h), w = table.target(h);
+  for(const Index tip : {v, w})
+    remeshed.pin_tip(tip);
+  remeshed.keep_tips_on_leash(.1);
+  ASSERT_FALSE(remeshed.is_free(v) || remeshed.is_free(w));
+  const Remeshed_surface::Spot spots[] = {remeshed.spot(v), remeshed.spot(w)};
+  remeshed.record();
+  const auto mark = remeshed.mark();
+  table.collapse(h);
+  const Index removed = table.is_removed(v) ? v : w, left = removed == v ? w : v;
+  const Index added = table.split_edge(table.halfedge(left));
+  ASSERT_EQ(added, removed);
+  remeshed.put_new(added, spots[0]);
+  EXPECT_TRUE(remeshed.is_free(added));
+  EXPECT_FALSE(remeshed.is_free(left));
+  remeshed.undo_to(mark);
+  EXPECT_FALSE(remeshed.is_free(removed));
+  EXPECT_EQ(remeshed.spot(v).point, spots[0].point);
+  EXPECT_EQ(remeshed.spot(w).point, spots[1].point);
+  remeshed.forget();
+}

@@ -134,6 +134,27 @@ TEST_F(Validity, self_intersection)
   EXPECT_EQ(faults(is_valid_remeshing(output, output)), ""); // not where the input intersects itself
 }
 
+// Of such an edge the two faces have no area, and no sheet goes through another one.
+TEST_F(Validity, degenerate_faces_of_the_input_are_no_intersections)
+{
+  Mesh degenerate = input;
+  const auto h = *degenerate.halfedges().begin();
+  const Point p = degenerate.point(degenerate.source(h));
+  const auto to_new = CGAL::Euler::split_edge(h, degenerate);
+  degenerate.point(degenerate.target(to_new)) = p;
+  CGAL::Euler::split_face(to_new, degenerate.next(degenerate.next(to_new)), degenerate);
+  const auto other = degenerate.opposite(h);
+  CGAL::Euler::split_face(other, degenerate.next(degenerate.next(other)), degenerate);
+  ASSERT_TRUE(CGAL::is_triangle_mesh(degenerate));
+  EXPECT_EQ(faults(is_valid_remeshing(degenerate, output)), "");
+
+  const auto g = *output.halfedges().begin();
+  output.point(output.source(g)) = CGAL::ORIGIN - (output.point(output.source(g)) - CGAL::ORIGIN);
+  const auto validity = is_valid_remeshing(degenerate, output, gp::surface_tolerance(1.));
+  EXPECT_GT(validity.self_intersections, 0u);
+  EXPECT_FALSE(validity.input_intersects_itself);
+}
+
 TEST_F(Validity, not_a_triangle_mesh)
 {
   CGAL::Euler::join_face(*output.halfedges().begin(), output);

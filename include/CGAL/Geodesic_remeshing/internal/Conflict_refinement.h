@@ -70,7 +70,7 @@ inline bool Conflict_refinement::divide_longest_edge(const Index f)
   if(!find_middle(m_remeshed, longest, middle))
     return false;
   const Index w = m_table.split_edge(longest);
-  m_remeshed.put(w, middle);
+  m_remeshed.put_new(w, middle);
   m_zone.push_back(w);
   return true;
 }
@@ -115,6 +115,7 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
   std::vector<Index> faces = conflicts.faces;
   std::size_t least = conflicts.number;
   Remeshed_surface::State best = m_remeshed.state();
+  std::vector<Index> zone_of_best;
   for(int in_vain = 0; in_vain < patience && least > 0 && m_table.number_of_vertices() < most_vertices; ++in_vain)
   {
     divide(faces);
@@ -127,9 +128,11 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
       in_vain = -1;
       least = left.number;
       best = m_remeshed.state();
+      zone_of_best = m_zone;
     }
   }
   m_remeshed.restore(best);
+  m_zone = std::move(zone_of_best); // later ones name vertices that are not there any more
 }
 
 inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)

@@ -11,12 +11,12 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CONFLICT_SIZING_H
 
 #include <CGAL/Geodesic_remeshing/internal/Conflict_search.h>
+#include <CGAL/Geodesic_remeshing/internal/self_intersections.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -65,9 +65,7 @@ inline bool is_input_in_conflict(const Mesh& surface, const std::vector<Conflict
   for_each_near(surface.faces(), box_of, conflicts, [&](const Face f, const Conflict_place&) { near.push_back(f); });
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  std::vector<std::pair<Face, Face>> pairs;
-  Polygon_mesh_processing::self_intersections(near, surface, std::back_inserter(pairs));
-  return !pairs.empty();
+  return !self_intersections(near, surface).empty();
 }
 
 // What lengths edges are to have so that faces that were in conflict will not be: shorter ones there, and steeper

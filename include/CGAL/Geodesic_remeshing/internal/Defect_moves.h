@@ -64,7 +64,7 @@ private:
   };
   using Corners = Search_refusals::Corners;
 
-  bool search(const Corners& around, std::size_t depth, int energy, Index made);
+  bool search(Corners around, std::size_t depth, int energy, Index made);
   void collect(Index v, int most, Index made, Candidates& candidates) const;
   void add(Index h, int most, Index made, Candidates& candidates) const;
   bool settle();
@@ -140,7 +140,7 @@ inline void Defect_moves::collect(const Index v, const int most, const Index mad
   });
 }
 
-inline bool Defect_moves::search(const Corners& around, const std::size_t depth, const int energy, const Index made)
+inline bool Defect_moves::search(const Corners around, const std::size_t depth, const int energy, const Index made)
 {
   Candidates candidates;
   m_refusals.note_visits(around);

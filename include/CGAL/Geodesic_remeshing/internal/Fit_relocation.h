@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -135,7 +136,7 @@ inline bool Fit_relocation::split(const Index h, double& change)
   const Remeshed_surface::Spot spot = m_steps.spot_at(
       CGAL::midpoint(m_remeshed.spot(a).point, m_remeshed.spot(b).point), m_remeshed.spot(a).place.face);
   const Index w = m_table.split_edge(h);
-  m_remeshed.put(w, spot);
+  m_remeshed.put_new(w, spot);
   m_table.for_each_outgoing(w, [&](const Index k) {
     const Index x = Lean_triangulation::face(k);
     if(x != f && x != g)
@@ -193,7 +194,9 @@ inline bool Fit_relocation::split_an_edge(const Index f, double& change)
   const auto length = [&](const Index h) {
     return CGAL::squared_distance(m_remeshed.spot(m_table.source(h)).point, m_remeshed.spot(m_table.target(h)).point);
   };
-  std::sort(edges.begin(), edges.end(), [&](const Index x, const Index y) { return length(x) > length(y); });
+  std::sort(edges.begin(), edges.end(), [&](const Index x, const Index y) {
+    return std::make_pair(-length(x), x) < std::make_pair(-length(y), y);
+  });
   const Fit_steps::Mark mark = m_steps.mark();
   for(const Index h : edges)
   {

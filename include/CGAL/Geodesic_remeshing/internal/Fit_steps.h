@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// The smallest angle that steps towards the input may make, one degree above that promised
+// The badness that steps towards the input may make: that of an angle of 31 degrees, one above what is promised
 inline double fit_badness()
 {
   static const double badness = badness_of_angle(31.);

@@ -262,7 +262,7 @@ inline bool Polish::better_by_split(const Index h)
   m_remeshed.reserve_free(1);
   m_remeshed.record();
   const Index w = m_table.split_edge(h);
-  m_remeshed.put(w, middle);
+  m_remeshed.put_new(w, middle);
   return keep_if_better(std::array<Index, 5>{{w, a, b, c, d}},
                         (std::max)(least_gain * before, (std::min)(before, good)));
 }

@@ -83,8 +83,14 @@ public:
   void put(const Index v, const Spot& spot)
   {
     if(m_is_recording)
-      m_journal.push_back({v, m_spots[v]});
+      m_journal.push_back({v, m_spots[v], m_hold[v]});
     m_spots[v] = spot;
+  }
+  // A new vertex, perhaps in the slot of one that was held
+  void put_new(const Index v, const Spot& spot)
+  {
+    put(v, spot);
+    m_hold[v] = Hold::none;
   }
   Spot spot_after(Index v, const Vector& displacement) const;
   Spot spot_at_vertex(Index x) const; // of the input
@@ -150,6 +156,13 @@ public:
   }
 
 private:
+  struct Change // what was there before
+  {
+    Index vertex;
+    Spot spot;
+    Hold hold;
+  };
+
   bool is_turned_between_lines(const std::array<const Spot*, 3>& corners, const Vector& normal) const;
 
   const Block_size m_block_size;
@@ -163,7 +176,7 @@ private:
   std::vector<Hold> m_hold;
   std::vector<Point> m_homes; // of the vertices on a leash
   double m_leash_length = 0.;
-  std::vector<std::pair<Index, Spot>> m_journal;
+  std::vector<Change> m_journal;
   bool m_is_recording = false;
 };
 
@@ -235,7 +248,11 @@ inline void Remeshed_surface::undo_to(const Mark mark)
 {
   m_connectivity.undo_to(mark.connectivity);
   for(; m_journal.size() > mark.spots; m_journal.pop_back())
-    m_spots[m_journal.back().first] = m_journal.back().second;
+  {
+    const Change& change = m_journal.back();
+    m_spots[change.vertex] = change.spot;
+    m_hold[change.vertex] = change.hold;
+  }
 }
 
 inline void Remeshed_surface::forget()

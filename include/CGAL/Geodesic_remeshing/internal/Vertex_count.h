@@ -179,7 +179,7 @@ inline bool Vertex_count::split_edge(const Index h)
     return false;
   const double before = worst_around(around);
   const Index w = m_table.split_edge(h);
-  m_remeshed.put(w, middle);
+  m_remeshed.put_new(w, middle);
   m_touched[around[0]] = m_touched[around[1]] = true;
   return settle({{w, w, around[2], around[3]}}, before);
 }
@@ -190,7 +190,7 @@ inline bool Vertex_count::split(const Index h, const Index other)
   const Index v = m_table.source(h), c = m_table.target(h), d = m_table.target(other);
   const double before = worst_around({{v, v, c, d}});
   const Index w = m_table.split(h, other);
-  m_remeshed.put(w, m_remeshed.spot(v));
+  m_remeshed.put_new(w, m_remeshed.spot(v));
   m_remeshed.put(w, m_remeshed.spot_after(w, .5 * Vertex_ring(m_remeshed, w).way_to_center()));
   if(!m_remeshed.is_fixed(v))
     m_remeshed.put(v, m_remeshed.spot_after(v, .5 * Vertex_ring(m_remeshed, v).way_to_center()));

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/parallel_for.h>
+#include <CGAL/Geodesic_remeshing/internal/self_intersections.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -20,7 +21,6 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +73,7 @@ inline Shape shape_of(const Mesh& mesh)
 template <class Concurrency_tag>
 std::size_t number_of_self_intersections(const Mesh& mesh)
 {
-  std::vector<std::pair<Face, Face>> pairs;
-  Polygon_mesh_processing::self_intersections<Concurrency_tag>(mesh, std::back_inserter(pairs));
-  return pairs.size();
+  return self_intersections<Concurrency_tag>(mesh.faces(), mesh).size();
 }
 
 inline std::string short_number(double x)

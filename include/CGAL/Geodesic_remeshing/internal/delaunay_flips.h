@@ -22,9 +22,10 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // Makes the triangles between the samples Delaunay: an edge is flipped when the two triangles beside it, unfolded into
-// a plane, are not. That is decided by an exact predicate, so that of the two diagonals of a pair never both look
-// wrong. Lengths are those of the mesh's metric. On a curved surface the flipped edge is shorter than the unfolded one,
-// and the flips need not come to an end by themselves: their number is bounded.
+// a plane, are not, and those with the other diagonal are. Each is decided by an exact predicate; but the plane is
+// another one for the other diagonal, which on a curved surface is shorter than when unfolded, and even on a flat one
+// lengths are rounded: of four points nearly on a circle both diagonals can look wrong. The flips need not come to an
+// end by themselves: their number is bounded.
 class Delaunay_flipper
 {
 public:
@@ -48,7 +49,7 @@ public:
       const Edge e = m_queue.back();
       m_queue.pop_back();
       m_queued[e.idx()] = 0;
-      if(m_mesh.is_border(e) || (m_has_constraints && m_is_constrained[e]) || !is_wrong(m_mesh.halfedge(e)) ||
+      if(m_mesh.is_border(e) || (m_has_constraints && m_is_constrained[e]) || !would_gain(m_mesh.halfedge(e)) ||
          !is_flippable(m_mesh.halfedge(e)))
         continue;
       flip(m_mesh.halfedge(e));
@@ -68,16 +69,21 @@ private:
     return Point_2(x, side * std::sqrt((std::max)(0., left - x * x)));
   }
 
-  bool is_wrong(Halfedge h) const
+  // Whether the edge from a to b between the triangles with c at its left and d at its right is not Delaunay
+  bool is_wrong(Vertex a, Vertex b, Vertex c, Vertex d) const
   {
-    const Halfedge o = m_mesh.opposite(h);
-    const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
     const double squared_length = m_metric.squared_length(a, b), length = std::sqrt(squared_length);
     if(!(length > 0.))
       return false;
-    const Point_2 c = apex(squared_length, length, a, b, m_mesh.target(m_mesh.next(h)), 1.);
-    const Point_2 d = apex(squared_length, length, a, b, m_mesh.target(m_mesh.next(o)), -1.);
-    return side_of_oriented_circle(Point_2(0., 0.), Point_2(length, 0.), c, d) == ON_POSITIVE_SIDE;
+    const Point_2 p = apex(squared_length, length, a, b, c, 1.), q = apex(squared_length, length, a, b, d, -1.);
+    return side_of_oriented_circle(Point_2(0., 0.), Point_2(length, 0.), p, q) == ON_POSITIVE_SIDE;
+  }
+
+  bool would_gain(Halfedge h) const
+  {
+    const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
+    const Vertex c = m_mesh.target(m_mesh.next(h)), d = m_mesh.target(m_mesh.next(m_mesh.opposite(h)));
+    return is_wrong(a, b, c, d) && !is_wrong(d, c, a, b);
   }
 
   bool has_edge_to_spare(Vertex v) const { return m_mesh.degree(v) > (m_mesh.is_border(v) ? 2u : 3u); }

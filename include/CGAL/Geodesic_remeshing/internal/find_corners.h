@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -50,7 +52,7 @@ public:
     for(const Candidate& c : m_candidates)
       if(is_far_from_taken(m_position[c.index]))
       {
-        m_taken.push_back(m_position[c.index]);
+        m_taken.insert(m_position[c.index]);
         corners.push_back(m_mesh.source(piece.halfedges[c.index]));
       }
     return corners;
@@ -140,8 +142,9 @@ private:
       const std::size_t j = forward ? i + k : i + n - k;
       if(!m_is_ring && (forward ? j > n : j < n))
         break;
-      if(m_points[j % n] != m_points[i])
-        return m_points[forward && j == n ? n : j % n];
+      const Point& p = m_points[forward && j == n ? n : j % n];
+      if(p != m_points[i])
+        return p;
     }
     return m_points[i];
   }
@@ -162,10 +165,13 @@ private:
 
   bool is_far_from_taken(double s) const
   {
-    return std::all_of(m_taken.begin(), m_taken.end(), [&](double t) {
-      const double d = std::abs(s - t);
-      return !((m_is_ring ? (std::min)(d, m_position.back() - d) : d) < m_reach);
-    });
+    if(m_taken.empty())
+      return true;
+    const auto next = m_taken.lower_bound(s);
+    const double length = m_is_ring ? m_position.back() : infinity; // of the way around
+    const double ahead = next != m_taken.end() ? *next - s : *m_taken.begin() + length - s;
+    const double behind = next != m_taken.begin() ? s - *std::prev(next) : s + length - *m_taken.rbegin();
+    return !(ahead < m_reach) && !(behind < m_reach);
   }
 
   const Mesh& m_mesh;
@@ -173,7 +179,8 @@ private:
   const double m_reach, m_long_edge;
   bool m_is_ring = false;
   std::vector<Point> m_points;
-  std::vector<double> m_position, m_taken;
+  std::vector<double> m_position;
+  std::set<double> m_taken; // positions of corners
   std::vector<Candidate> m_candidates;
 };
 

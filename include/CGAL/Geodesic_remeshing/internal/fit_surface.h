@@ -21,10 +21,9 @@
 #include <CGAL/Geodesic_remeshing/internal/Polish.h>
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_samples.h>
+#include <CGAL/Geodesic_remeshing/internal/self_intersections.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 #include <CGAL/Geodesic_remeshing/internal/write_back.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <cmath>
 #include <cstddef>
@@ -175,6 +174,8 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
     Fit_relocation relocation(remeshed, assignment, probes, steps);
     const bool is_done = run_fit(remeshed, steps, relocation,
                                  [&](const double progress) { return go_on((attempt - 1 + progress) / attempts); });
+    if(!is_done)
+      return {};
     mend_fit(remeshed);
     // What was mended at the cost of the distance
     assignment.search_all();
@@ -184,8 +185,8 @@ Fit_result fit_surface(const Mesh& surface, const Constraints& constraints, cons
     mend_fit(remeshed);
     assignment.search_all();
     const std::vector<Lean_triangulation::Index> intersections = intersecting_faces(remeshed);
-    if(!is_done || attempt == attempts || intersections.size() <= intersections_at_start ||
-       (intersections_at_start > 0 && Polygon_mesh_processing::does_self_intersect(surface)))
+    if(attempt == attempts || intersections.size() <= intersections_at_start ||
+       (intersections_at_start > 0 && !self_intersections(surface.faces(), surface).empty()))
     {
       const Fit_result result{steps.root_mean_square(), relocation.largest_deviation()};
       write_back(remeshed, out.mesh, out.place, out.pinned, out.constrained);

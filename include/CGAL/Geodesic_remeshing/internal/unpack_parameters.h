@@ -20,6 +20,9 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/shared_array_property_map.hpp>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -235,8 +238,20 @@ inline void check_count(const Mesh& mesh, std::size_t wanted)
   throw Remeshing_error(what + ": no face can be divided without one of no area; try " + std::to_string(number));
 }
 
+// Over a range of fixed size, made for the elements of the input
+template <class Map>
+constexpr bool is_of_fixed_size = false;
+template <class Iterator, class IndexMap, class Value, class Reference>
+constexpr bool is_of_fixed_size<boost::iterator_property_map<Iterator, IndexMap, Value, Reference>> = true;
+template <class Iterator, class IndexMap, class Value, class Reference>
+constexpr bool is_of_fixed_size<boost::safe_iterator_property_map<Iterator, IndexMap, Value, Reference>> = true;
+template <class Value, class IndexMap>
+constexpr bool is_of_fixed_size<boost::shared_array_property_map<Value, IndexMap>> = true;
+
+// For other elements than it was made for
 template <class Map>
 constexpr bool is_writable =
+    !is_of_fixed_size<Map> &&
     std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
 
 // A pack that has one parameter more, if the other pack has it and it can be written to
