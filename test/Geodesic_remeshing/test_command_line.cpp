@@ -690,6 +690,15 @@ TEST_F(Command_line, solids_that_touch_along_an_edge_are_parted)
   EXPECT_EQ(of_output({{"#########", "#.#.#.#.#", "#########"}}, 3), (Shape{{1, 4, 0}}));
 }
 
+TEST_F(Command_line, branching_surface_is_cut_open)
+{
+  const std::string fin = file("fin.off", "OFF\n6 4 0\n0 0 0\n0 1 0\n1 0 0\n-1 0 0\n0 0 1\n0 1 1\n"
+                                          "3 0 2 1\n3 0 1 3\n3 0 4 1\n3 1 4 5\n");
+  const Outcome outcome = run(fin + " " + output() + " --vertices 100 --check --report " + output("r.json"));
+  EXPECT_NE(outcome.out.find("cut open 1 edges with three faces or more"), std::string::npos) << outcome.out;
+  EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["output"]["components"], 3);
+}
+
 namespace {
 
 // The faces of an OFF file of triangles, each with vertices of its own, which are moved a little

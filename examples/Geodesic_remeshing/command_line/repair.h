@@ -73,6 +73,13 @@ inline bool is_turned(const Polygon& before, const Polygon& after, const std::ve
   return false;
 }
 
+inline std::size_t number_of_edges_with_many_faces(const Soup& soup)
+{
+  std::size_t number = 0;
+  for_each_edge(sorted_sides(soup), [&](auto first, auto last) { number += last - first > 2; });
+  return number;
+}
+
 // Makes a mesh of the soup by the tools of CGAL, and tells what had to be done. Where more than two faces meet in an
 // edge, or more than one fan in a vertex, these are duplicated, so that the faces no longer hang together there.
 inline std::vector<std::string> repair(Soup& soup)
@@ -85,7 +92,10 @@ inline std::vector<std::string> repair(Soup& soup)
        "duplicate faces");
   if(soup.polygons.empty())
     throw Input_error("has no face left after repair");
-  tell(repairs, "parted", Touching_edges(soup).part(), "edges with four faces or more, along which solids touch");
+  // Of internal walls and fins nothing tells which two of the faces at an edge go on in each other.
+  const std::size_t many = number_of_edges_with_many_faces(soup), parted = Touching_edges(soup).part();
+  tell(repairs, "parted", parted, "edges with four faces or more, along which solids touch");
+  tell(repairs, "cut open", many - parted, "edges with three faces or more, at which the surface branches");
   check_orientability(soup, sorted_sides(soup));
   const std::vector<Polygon> before = soup.polygons;
   const std::size_t points = soup.points.size();
