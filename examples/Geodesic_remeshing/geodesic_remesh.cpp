@@ -214,6 +214,8 @@ void run(const Options& options)
   transfer.run();
   if(!options.quiet && !(options.feature_angle > 0.))
     tell_hint(command_line::hint_at_sharp_edges(input.mesh, report.summary.edge_length, output, is_line));
+  if(!options.quiet && options.protect)
+    tell_hint(command_line::hint_at_short_kept_edges(report.summary.edge_length, output, is_line));
   if(!options.quiet)
     tell_hint(command_line::Thin_places(input.mesh, output).hint(options));
 

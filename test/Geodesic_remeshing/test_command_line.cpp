@@ -986,6 +986,22 @@ std::string off_of_walls(double gap, double shift)
 } // namespace
 
 // As the improvement finds a way where there is one, without it. The number that is named is one that does.
+// A sheet, two of whose sides are divided a hundred times as finely as it is to be
+TEST_F(Command_line, hints_at_short_edges_that_are_kept)
+{
+  std::ostringstream points, faces;
+  constexpr int n = 200;
+  for(int i = 0; i <= n; ++i)
+    points << i << " 0 0\n" << i << " 200 0\n";
+  for(int i = 0; i < n; ++i)
+    faces << "3 " << 2 * i << " " << 2 * i + 2 << " " << 2 * i + 1 << "\n3 " << 2 * i + 1 << " " << 2 * i + 2 << " "
+          << 2 * i + 3 << "\n";
+  const std::string sheet = file("sheet.off", "OFF\n402 400 0\n" + points.str() + faces.str()) + " " + output();
+  EXPECT_NE(run(sheet + " --vertices 900 --protect").err.find("400 of the edges kept are shorter than a fifth"),
+            std::string::npos);
+  EXPECT_EQ(run(sheet + " --vertices 900").err.find("edges kept"), std::string::npos);
+}
+
 TEST_F(Command_line, hints_at_thin_places)
 {
   const auto hint = [&](const std::string& off, const std::string& target) {

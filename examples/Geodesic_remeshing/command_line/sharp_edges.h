@@ -16,6 +16,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,6 +87,20 @@ inline std::string hint_at_sharp_edges(const Mesh& mesh, double edge_length, con
     return "";
   return "sharp edges of the input are cut off (--feature-angle " + internal::short_number(internal::sharp_angle) +
          " keeps them)";
+}
+
+// After remeshing with lines kept exactly. Where bodies were cut at each other these have edges of any length.
+inline std::string hint_at_short_kept_edges(double edge_length, const Mesh& output,
+                                            Mesh::Property_map<Mesh::Edge_index, bool> is_line)
+{
+  std::size_t number = 0;
+  for(const auto e : output.edges())
+    number += (is_line[e] || output.is_border(e)) && internal::length_of(output, e) < edge_length / 5.;
+  if(number < output.number_of_faces() / 20)
+    return "";
+  return std::to_string(number) +
+         " of the edges kept are shorter than a fifth of the others, and the triangles at them " +
+         "are thin (without --protect lines get vertices as far apart as elsewhere)";
 }
 
 } // namespace command_line

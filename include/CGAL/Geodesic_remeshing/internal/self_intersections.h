@@ -35,8 +35,7 @@ public:
   using Pair = std::pair<Face, Face>;
 
   // `Polygon_mesh_processing` lists such a face as a pair of that face and itself.
-  Degenerate_faces(const Mesh& mesh, const std::vector<Pair>& pairs)
-    : m_mesh(mesh), m_is_at_one(mesh.num_vertices(), 0)
+  Degenerate_faces(const Mesh& mesh, const std::vector<Pair>& pairs) : m_mesh(mesh), m_is_at_one(mesh.num_vertices(), 0)
   {
     Component_numbers groups(mesh.num_vertices());
     for(const Pair& pair : pairs)
