@@ -44,10 +44,17 @@ namespace CGAL {
  *
  * The boundary of the surface, features, constrained edges and the borders of patches are <em>lines</em>: edges of the
  * output cover them, with vertices at even distances on them. Where they end, meet or turn sharply are
- * <em>corners</em>, which are vertices of the output. Lines turn sharply where an edge does by 60 degrees or the chords
- * beside a vertex, half an edge length of the output long, do, and where two edges longer than one and a half meet at
- * more than 10 degrees. Curves are those of pieces between lines: their fronts start on the longest straight line
- * around a piece.
+ * <em>corners</em>, which are vertices of the output. A line turns sharply at a vertex
+ *
+ * - where the chords on both sides of it, half an edge length of the output long, turn by 60 degrees;
+ * - where they turn by 30, and the two edges there by 60;
+ * - where both turn by 30, and the line nowhere more than half as sharply as these edges within three quarters of an
+ *   edge length;
+ * - where the two edges turn by 10 between two straight stretches, which are one and a half edge lengths long or reach
+ *   to the end of the line.
+ *
+ * Of such vertices nearer to each other than half an edge length the one where the chords turn most is a corner. Curves
+ * are those of pieces between lines: their fronts start on the longest straight line around a piece.
  *
  * The same input gives the same output, bit by bit.
  *
@@ -59,8 +66,8 @@ namespace CGAL {
  *
  * @param tmesh the input: a triangle mesh of any genus, with any number of boundary loops and connected components.
  * Degenerate faces, duplicate points and isolated vertices are allowed; the latter are left out.
- * @param target the number of vertices; or the number of faces, `Number_of_faces{n}`; or `Edge_length{l}`, which asks
- * for the number of vertices that equilateral triangles of that edge length would have
+ * @param target the number of vertices, at most 500,000,000; or the number of faces, `Number_of_faces{n}`; or
+ * `Edge_length{l}`, which asks for the number of vertices that equilateral triangles of that edge length would have
  * @param out the output, cleared before it is filled
  * @param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -134,9 +141,10 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{features_angle_bound}
  *     \cgalParamDescription{edges at which the surface turns by at least this angle, in degrees, are lines, as
- *                           `Polygon_mesh_processing::detect_sharp_edges()` finds them; but not those with an end in
- *                           the surface and shorter than the edges of the output. Then tips of cones, vertices at which
- *                           more than 90 degrees are missing, are corners.}
+ *                           `Polygon_mesh_processing::detect_sharp_edges()` finds them; but not short ones: lines with
+ *                           one end in the surface shorter than an edge of the output is to be, with both ends there
+ *                           shorter than two, and rings shorter than three quarters of one. Then tips of cones,
+ *                           vertices at which more than 90 degrees are missing, are corners.}
  *     \cgalParamType{a number, positive; above 180 there are no features, nor creases}
  *     \cgalParamDefault{no features but the long creases of an input of few faces: sharper than 50 degrees, more than
  *                       three edge lengths of the output long, with room for a row of triangles on both sides and
@@ -265,13 +273,15 @@ namespace CGAL {
  *
  * @return what was made, and in what time
  *
- * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, a vertex where fans of faces
- * touch or a coordinate that is not finite, if the target is not positive, if the sizing field gives a vertex a length
- * that is not positive and finite, or if `gradation` is not positive or `minimum_length` above `maximum_length`; the
- * message says which vertex or face
+ * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, an edge without faces, a
+ * vertex where fans of faces touch or a coordinate that is not finite, if the target is not positive or asks for more
+ * than 500,000,000 vertices, if `number_of_iterations` is negative, if the sizing field gives a vertex a length that is
+ * not positive and finite, or if `gradation` is not positive or `minimum_length` above `maximum_length`; the message
+ * says which vertex or face
  * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more
  * vertices, if `minimum_length` and `maximum_length` exclude the number asked for (the message says which numbers they
- * allow), or if the visitor stops the work
+ * allow), if edges would not be longer than sixteen times the rounding of the largest coordinate, or if the visitor
+ * stops the work
  *
  * Whatever is thrown, also by the visitor, by a map or field that is read, or because memory runs out: `out`, its
  * property maps and those of `tmesh` are left as they were, provided that writing to a map does not throw.
@@ -308,7 +318,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("input", 0.);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, np_in, input, true);
+  copy_input(tmesh, np_in, input);
   sort_in_space(input, options.concurrency);
   const Mesh& surface = input.mesh;
 

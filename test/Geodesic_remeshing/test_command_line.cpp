@@ -620,6 +620,9 @@ TEST_F(Command_line, input_that_is_no_mesh_is_repaired_or_refused)
   expect_repair(file("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
                                    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n"),
                 "vertex 0", "duplicated 1 vertices");
+  // two triangles that share it
+  expect_repair(file("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"), "vertex 0",
+                "duplicated 1 vertices");
   expect_repair(file("fin.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n"
                                 "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n"),
                 "edge (0, 1) has 3 faces", "duplicated");

@@ -1027,7 +1027,7 @@ TEST(Lines, pieces_cover_every_line_once_and_end_at_corners)
     SCOPED_TRACE(c.name);
     internal::Input_surface<Mesh> input;
     const auto np = parameters::features_angle_bound(60.);
-    internal::copy_input(c.mesh, np, input, true);
+    internal::copy_input(c.mesh, np, input);
     const Constraints constraints = internal::find_constraints(c.mesh, np, input, .2);
     std::size_t edges = 0;
     for(const auto& piece : internal::trace_lines(input.mesh, constraints))
@@ -1059,7 +1059,7 @@ TEST(Lines, corners_depend_on_the_scale)
     if(input.point(v).y() == 0.)
       input.point(v) = Point(input.point(v).x(), int(std::lround(input.point(v).x())) % 2 == 0 ? -.6 : .6, 0.);
   internal::Input_surface<Mesh> copy;
-  internal::copy_input(input, parameters::default_values(), copy, true);
+  internal::copy_input(input, parameters::default_values(), copy);
   const auto corners = [&](double edge_length) {
     const Constraints c = internal::find_constraints(input, parameters::default_values(), copy, edge_length);
     return std::count_if(c.is_corner.begin(), c.is_corner.end(), [](char x) { return x != 0; });
@@ -1101,7 +1101,7 @@ TEST(Lines, single_bend_is_a_corner)
       input.point(v) = Point(x, (std::lround(x) % 2 == 0 ? .05 : -.05) - .36 * std::abs(x - 20.), 0.);
   }
   internal::Input_surface<Mesh> copy;
-  internal::copy_input(input, parameters::default_values(), copy, true);
+  internal::copy_input(input, parameters::default_values(), copy);
   const Constraints c = internal::find_constraints(input, parameters::default_values(), copy, 4.);
   for(Vertex v : copy.mesh.vertices())
   {
@@ -1142,7 +1142,7 @@ TEST(Lines, cutting_along_them_leaves_the_pieces_apart)
     SCOPED_TRACE(c.name);
     internal::Input_surface<Mesh> input;
     const auto np = parameters::features_angle_bound(60.);
-    internal::copy_input(c.mesh, np, input, true);
+    internal::copy_input(c.mesh, np, input);
     const Constraints constraints = internal::find_constraints(c.mesh, np, input, .5);
     internal::Working_surface working, cut;
     internal::make_working_surface(input.mesh, constraints, 1., working);
@@ -1176,7 +1176,7 @@ TEST(Lines, samples_divide_each_piece_evenly)
   const Mesh mesh = made::box(4, 3, 2);
   internal::Input_surface<Mesh> input;
   const auto np = parameters::features_angle_bound(60.);
-  internal::copy_input(mesh, np, input, true);
+  internal::copy_input(mesh, np, input);
   const Constraints constraints = internal::find_constraints(mesh, np, input, .3);
   internal::Working_surface working;
   internal::make_working_surface(input.mesh, constraints, .45, working);
@@ -1204,7 +1204,7 @@ struct Thin_box
       mesh.point(v) = Point(4. * p.x(), 4. * p.y(), thickness * p.z());
     }
     const auto np = parameters::features_angle_bound(60.);
-    internal::copy_input(mesh, np, input, true);
+    internal::copy_input(mesh, np, input);
     const Constraints constraints = internal::find_constraints(mesh, np, input, edge_length);
     internal::make_working_surface(input.mesh, constraints, 1.5 * edge_length, working);
     pieces = internal::trace_lines(working, constraints);

@@ -81,7 +81,7 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{ball_radius}
    *     \cgalParamDescription{the radius of the ball around a vertex over which the curvatures are averaged, in the
-   *                           unit of the coordinates}
+   *                           unit of the coordinates; positive and finite}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{the faces around the vertex and its neighbors}
    *     \cgalParamExtra{Of use on noisy surfaces; the time grows with the number of faces in a ball.}
@@ -140,8 +140,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle or a coordinate that is not
-   * finite, or if a parameter is out of its range
+   * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle, an edge without faces, a
+   * vertex where fans of faces touch or a coordinate that is not finite, or if a parameter is out of its range
    *
    * \cgalBigO{n} for `n` vertices without `ball_radius`.
    */
@@ -160,7 +160,8 @@ public:
     weights.contrast = choose_parameter(get_parameter(np, internal_np::contrast), weights.contrast);
     weights.gaussian = choose_parameter(get_parameter(np, internal_np::gaussian_weight), weights.gaussian);
     weights.mean = choose_parameter(get_parameter(np, internal_np::mean_weight), weights.mean);
-    weights.ball_radius = choose_parameter(get_parameter(np, internal_np::ball_radius), weights.ball_radius);
+    if constexpr(internal::is_given<NamedParameters, internal_np::ball_radius_t>)
+      weights.ball_radius = CGAL::to_double(get_parameter(np, internal_np::ball_radius));
     m_limits.gradation = choose_parameter(get_parameter(np, internal_np::gradation), m_limits.gradation);
     m_limits.minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_length), m_limits.minimum_length);
     m_limits.maximum_length = choose_parameter(get_parameter(np, internal_np::maximum_length), m_limits.maximum_length);
@@ -170,7 +171,7 @@ public:
     for(auto v : vertices(tmesh))
       put(m_length, v, 1.); // isolated vertices
     internal::Input_surface<TriangleMesh> input;
-    internal::copy_input(tmesh, np, input, true);
+    internal::copy_input(tmesh, np, input);
     const std::vector<double> lengths = internal::lengths_by_curvature(input.mesh, weights);
     for(std::size_t i = 0; i < lengths.size(); ++i)
       put(m_length, input.vertex_of[i], lengths[i]);

@@ -129,6 +129,9 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
+ * @throws std::invalid_argument if `tmesh` is empty, has a face that is not a triangle, an edge without faces, a vertex
+ * where fans of faces touch or a coordinate that is not finite; `output_map` is then left as it was
+ *
  * \cgalBigO{n + m} for `n` and `m` faces.
  */
 template <class TriangleMesh, class InputMap, class OutputMesh, class VertexLocationMap, class OutputMap,
@@ -211,6 +214,9 @@ void transfer_face_property(const TriangleMesh& tmesh, const InputMap& input_map
  *     \cgalParamDefault{an automatically indexed internal map}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
+ *
+ * @throws std::invalid_argument if `tmesh` is empty, has a face that is not a triangle, an edge without faces, a vertex
+ * where fans of faces touch or a coordinate that is not finite; `output_map` is then left as it was
  *
  * \cgalBigO{n + m} for `n` and `m` faces.
  */

@@ -135,8 +135,9 @@ halfedge_of_input(const TriangleMesh& tmesh, const Input_surface<TriangleMesh>& 
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * @throws std::invalid_argument if the mesh is empty or not triangulated, a coordinate or value of the function is not
- * finite, or the values are not in ascending order
+ * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle, an edge without faces or a
+ * vertex where fans of faces touch, if a coordinate or a value of the function is not finite, or if the values are not
+ * numbers in ascending order
  * @return `curves` after the last curve
  *
  * \cgalBigO{n \log m + k} for `n` vertices, `m` values and `k` points of curves.
@@ -151,16 +152,18 @@ OutputIterator equidistant_curves(const TriangleMesh& tmesh, VertexValueMap vert
   check_parameters<NamedParameters, Parameters_of_mesh>();
   const auto traits = geom_traits_of<TriangleMesh>(np);
   using User_point = std::decay_t<decltype(from_point(traits, Point()))>;
-  if(!std::is_sorted(values.begin(), values.end()))
-    reject("the values of the curves must be in ascending order");
+  if(std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }) ||
+     !std::is_sorted(values.begin(), values.end()))
+    reject("the values of the curves must be numbers in ascending order");
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, np, input, true);
+  copy_input(tmesh, np, input);
+  const auto index = vertex_indices_of(tmesh, np);
   std::vector<double> function;
   for(auto v : input.vertex_of)
   {
     function.push_back(CGAL::to_double(get(vertex_value_map, v)));
     if(!std::isfinite(function.back()))
-      reject("the value at vertex " + std::to_string(function.size() - 1) + " is not finite");
+      reject("the value at vertex " + std::to_string(get(index, v)) + " is not finite");
   }
   const Segmentation levels = levels_of_function(std::move(function), values);
   const Level_curves traced = Curve_tracer(input.mesh, levels).trace();

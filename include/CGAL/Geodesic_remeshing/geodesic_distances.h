@@ -45,6 +45,8 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
   check_parameters<NamedParameters,
                    Parameters_of_mesh::And<internal_np::vertex_weight_map_t, internal_np::maximum_distance_t>>();
   const double maximum_distance = choose_parameter(get_parameter(np, CGAL::internal_np::maximum_distance), infinity);
+  if(!(maximum_distance >= 0.))
+    metric.fail("the maximum distance must be a number and not negative");
   const Intrinsic_triangulation triangulation = triangulate_intrinsically(metric, sources.faces());
   Fast_marching marching(triangulation);
   sources.start(marching);
@@ -123,7 +125,7 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  *     \cgalParamDefault{1 at every vertex}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
- *     \cgalParamDescription{how far to go; farther vertices get infinity, and cost no time}
+ *     \cgalParamDescription{how far to go; farther vertices get infinity, and cost no time; not negative}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
@@ -136,8 +138,8 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  * \cgalNamedParamsEnd
  *
  * @throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, a weight not positive and
- * finite, or if the barycentric coordinates of a source are negative or do not add up to one; the message says what is
- * wrong where, and `vertex_distance_map` is left as it was
+ * finite, the maximum distance negative or not a number, or if the barycentric coordinates of a source are negative or
+ * do not add up to one; the message says what is wrong where, and `vertex_distance_map` is left as it was
  *
  * @sa `geodesic_distances_from_curve()`
  * @sa `geodesic_diameter()`
@@ -221,7 +223,7 @@ void geodesic_distances(const TriangleMesh& tmesh, VertexDistanceMap vertex_dist
  *     \cgalParamDefault{1 at every vertex}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
- *     \cgalParamDescription{how far to go; farther vertices get infinity, and cost no time}
+ *     \cgalParamDescription{how far to go; farther vertices get infinity, and cost no time; not negative}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd

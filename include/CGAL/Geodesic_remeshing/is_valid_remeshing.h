@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/compare_lines.h>
 #include <CGAL/Geodesic_remeshing/internal/compare_surfaces.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
+#include <CGAL/Geodesic_remeshing/internal/numbers_in_messages.h>
 #include <CGAL/Geodesic_remeshing/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -46,8 +47,9 @@ struct Remeshing_validity
   std::size_t degenerate_faces = 0; ///< of the output: with three points on a line
   std::size_t flipped_faces =
       0; ///< of the output: looking against the input surface at their center and at all their corners
-  std::size_t self_intersections = 0;   ///< pairs of faces of the output that intersect but in what they share
-  bool input_intersects_itself = false; ///< then the output may
+  std::size_t self_intersections = 0; ///< pairs of faces of the output that intersect but in what they share
+  /// then the output may; only found out if the output does, else `false`
+  bool input_intersects_itself = false;
   /// the largest distance of a constrained edge or a boundary edge of the input from the edges of the output, divided
   /// by the diagonal
   double line_distance = 0.;
@@ -218,8 +220,8 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *
  * @return what holds and what does not
  *
- * @throws std::invalid_argument if the input is empty, has a face that is not a triangle or a coordinate that is not
- * finite
+ * @throws std::invalid_argument if `tmesh` is empty, has a face that is not a triangle, an edge without faces, a vertex
+ * where fans of faces touch or a coordinate that is not finite; an output of that kind is not manifold
  *
  * \cgalBigO{(n + m) \log (n + m)} for `n` and `m` faces, but for the pairs that intersect.
  */
@@ -239,11 +241,11 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   check_parameters<NamedParametersOut, Parameters_of_mesh>();
   Remeshing_validity result;
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, np_in, input, true);
+  copy_input(tmesh, np_in, input);
   Input_surface<OutputMesh> output;
   try
   {
-    copy_input(remeshed, np_out, output, true);
+    copy_input(remeshed, np_out, output);
   }
   catch(const std::invalid_argument&)
   {

@@ -151,8 +151,11 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  * \cgalNamedParamsEnd
  *
  * @return the regions, children before their parents
- * @throws std::invalid_argument if the mesh is empty, not triangulated or has a coordinate that is not finite, or if
- * the curve distance is not positive and finite
+ * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle, an edge without faces, a
+ * vertex where fans of faces touch or a coordinate that is not finite, if the curve distance is not positive and
+ * finite, or so small that a remeshing with it would have more than 500,000,000 vertices
+ * @throws Remeshing_error if edges for the curve distance are not longer than sixteen times the rounding of the largest
+ * coordinate
  *
  * \cgalBigO{n \log n} for `n` vertices after long edges have been split.
  */
@@ -167,8 +170,10 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
     reject("the curve distance must be positive and finite");
   check_scale(curve_distance);
   Input_surface<TriangleMesh> input;
-  copy_input(tmesh, np, input, true);
+  copy_input(tmesh, np, input);
   const double edge_length = curve_distance / std::sqrt(.75);
+  check_number_of_vertices(number_for_length(area(input.mesh), edge_length), "the curve distance is too small: it");
+  check_resolution(input.mesh, edge_length);
   const Constraints boundary = find_boundary(input.mesh, edge_length);
   Working_surface working;
   make_working_surface(input.mesh, boundary, longest_working_edge * edge_length, working);

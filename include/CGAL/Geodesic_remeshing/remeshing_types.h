@@ -40,7 +40,7 @@ struct Edge_length
  */
 struct Number_of_faces
 {
-  std::size_t value; ///< positive
+  std::size_t value; ///< positive, at most 1,000,000,000
 };
 
 /*!
@@ -90,8 +90,8 @@ enum class Region_kind {
 
 /*!
  * \ingroup PkgGeodesicRemeshingTypesRef
- * Thrown when the input is fine but what was asked for cannot be made: fewer vertices than the topology needs, or
- * the visitor stopped the work. The output is as it was before the call.
+ * Thrown when the input is fine but what was asked for cannot be made: fewer vertices than the topology needs, edges
+ * too short for the coordinates, or the visitor stopped the work. The output is as it was before the call.
  */
 class Remeshing_error : public std::runtime_error
 {

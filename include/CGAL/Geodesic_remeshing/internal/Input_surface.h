@@ -90,12 +90,11 @@ void copy_connectivity(const Graph& graph, const VertexIndexMap& vertex_index, c
   }
 }
 
-// The input must be a closed (or, where allowed, an open) triangle mesh. Marks the vertices that have a face.
-template <class TriangleMesh, class VertexIndexMap>
-std::vector<char> check_faces(const TriangleMesh& tmesh, const VertexIndexMap& index, bool allow_boundary)
+// All faces must be triangles. Marks the vertices that have one.
+template <class TriangleMesh, class VertexIndexMap, class NamedParameters>
+std::vector<char> check_faces(const TriangleMesh& tmesh, const VertexIndexMap& index, const NamedParameters& np)
 {
   std::vector<char> used(largest_index(vertices(tmesh), index) + 1, 0);
-  std::size_t number = 0;
   for(auto f : faces(tmesh))
   {
     std::size_t corners = 0;
@@ -103,40 +102,60 @@ std::vector<char> check_faces(const TriangleMesh& tmesh, const VertexIndexMap& i
     {
       used[get(index, target(h, tmesh))] = 1;
       ++corners;
-      if(!allow_boundary && is_border(opposite(h, tmesh), tmesh))
-        reject("face " + std::to_string(number) +
-               " has an edge on a boundary: surfaces with boundary are not supported yet");
     }
     if(corners != 3)
-      reject("face " + std::to_string(number) + " has " + std::to_string(corners) + " vertices, not three");
-    ++number;
+      reject("face " + std::to_string(get(get_initialized_face_index_map(tmesh, np), f)) + " has " +
+             std::to_string(corners) + " vertices, not three");
   }
-  if(number == 0)
+  if(faces(tmesh).begin() == faces(tmesh).end())
     reject("the mesh has no face");
   return used;
 }
 
-// A vertex at which two fans of faces touch has halfedges that walking around it does not reach.
-inline void check_fans(const Mesh& mesh)
+// Nothing leads around an edge of no face, nor need its ends have a copy.
+template <class TriangleMesh, class VertexIndexMap>
+void check_edges(const TriangleMesh& tmesh, const VertexIndexMap& index)
+{
+  for(auto e : edges(tmesh))
+  {
+    const auto h = halfedge(e, tmesh);
+    if(is_border(h, tmesh) && is_border(opposite(h, tmesh), tmesh))
+      reject("the edge between the vertices " + std::to_string(get(index, source(h, tmesh))) + " and " +
+             std::to_string(get(index, target(h, tmesh))) + " has no face");
+  }
+}
+
+// The first vertex at which two fans of faces touch, if there is one. Walking around it does not reach all of its
+// halfedges, or leads from fan to fan over the boundary of each.
+inline Vertex find_touching_fans(const Mesh& mesh)
 {
   std::vector<char> reached(mesh.number_of_halfedges(), 0);
   for(Vertex v : mesh.vertices())
+  {
+    int on_boundary = 0;
     for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+    {
       reached[h] = 1;
+      on_boundary += mesh.is_border(h);
+    }
+    if(on_boundary > 1)
+      return v;
+  }
   for(Halfedge h : mesh.halfedges())
     if(!reached[h])
-      reject("vertex " + std::to_string(mesh.target(h).idx()) + " is not manifold: two fans of faces touch there");
+      return mesh.target(h);
+  return Vertex();
 }
 
 // Copies the input, in its own order, and rejects what the stages cannot work on: these checks are cheap and
 // made in every build, since on such input the loops of the stages need not end.
 template <class TriangleMesh, class NamedParameters>
-void copy_input(const TriangleMesh& tmesh, const NamedParameters& np, Input_surface<TriangleMesh>& result,
-                bool allow_boundary = false)
+void copy_input(const TriangleMesh& tmesh, const NamedParameters& np, Input_surface<TriangleMesh>& result)
 {
   const Points_of_graph<TriangleMesh, NamedParameters> points(tmesh, np);
   const auto index = vertex_indices_of(tmesh, np);
-  const std::vector<char> used = check_faces(tmesh, index, allow_boundary);
+  const std::vector<char> used = check_faces(tmesh, index, np);
+  check_edges(tmesh, index);
   Mesh& mesh = result.mesh;
   mesh.reserve(static_cast<Mesh::size_type>(used.size()), static_cast<Mesh::size_type>(edges(tmesh).size()),
                static_cast<Mesh::size_type>(faces(tmesh).size()));
@@ -154,7 +173,10 @@ void copy_input(const TriangleMesh& tmesh, const NamedParameters& np, Input_surf
   const auto halfedge_index = get_initialized_halfedge_index_map(tmesh, np);
   copy_connectivity(tmesh, index, halfedge_index, largest_index(halfedges(tmesh), halfedge_index) + 1, copy, mesh);
   result.face_of.assign(faces(tmesh).begin(), faces(tmesh).end());
-  check_fans(mesh);
+  const Vertex bad = find_touching_fans(mesh);
+  if(bad.is_valid())
+    reject("vertex " + std::to_string(get(index, result.vertex_of[bad])) +
+           " is not manifold: two fans of faces touch there");
 }
 
 // Renumbers the copy of a large input in a spatially coherent order.

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_TARGET_H
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/numbers_in_messages.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <algorithm>
@@ -30,6 +31,11 @@ inline double edge_length_for(double area, std::size_t vertices)
   return std::sqrt(2. * area / (std::sqrt(3.) * static_cast<double>(vertices)));
 }
 
+inline double number_for_length(double area, double length)
+{
+  return 2. * area / (std::sqrt(3.) * length * length);
+}
+
 // Fourth powers of lengths, which the predicates compare, must neither vanish nor overflow.
 inline void check_scale(double edge_length)
 {
@@ -37,6 +43,17 @@ inline void check_scale(double edge_length)
     reject("the surface has no area: its faces are degenerate, or too small to compute with");
   if(!(edge_length > 1e-70) || !(edge_length < 1e70))
     reject("the coordinates are too small or too large to compute with");
+}
+
+// Halfedges are numbered in 32 bits, four to a face (see Lean_triangulation): that is 2^30 faces, of which some are
+// left for topology and for changes on the way.
+constexpr double most_vertices = 5e8;
+
+inline void check_number_of_vertices(double number, const std::string& what)
+{
+  if(!(number <= most_vertices))
+    reject(what + " asks for " + whole_number(number) + " vertices, and more than " + whole_number(most_vertices) +
+           " cannot be made");
 }
 
 inline void check_length(double length)
@@ -47,20 +64,20 @@ inline void check_length(double length)
 
 inline std::size_t rounded_number_of_vertices(double number)
 {
-  if(!(number < 2e9))
-    reject("the edge length is too small: it asks for " + std::to_string(number) + " vertices");
+  check_number_of_vertices(number, "the edge length is too small: it");
   return (std::max)(std::size_t(4), static_cast<std::size_t>(std::llround(number)));
 }
 
 inline std::size_t vertices_for_length(double area, double length)
 {
   check_length(length);
-  return rounded_number_of_vertices(2. * area / (std::sqrt(3.) * length * length));
+  return rounded_number_of_vertices(number_for_length(area, length));
 }
 
 // On a surface with boundary, but for half of the vertices there: these are not known yet.
 inline std::size_t vertices_for_faces(const Mesh& surface, std::size_t faces)
 {
+  check_number_of_vertices(static_cast<double>(faces / 2), "the number of faces");
   const std::ptrdiff_t vertices =
       static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic(surface); // V - E + F, and 3 F = 2 E
   if(!CGAL::is_closed(surface))
@@ -78,14 +95,21 @@ Any_target unpack_target(const Target& target)
 {
   static_assert(!std::is_floating_point<Target>::value,
                 "geodesic_remeshing: a number of vertices is an integer; for a length write Edge_length{...}");
-  if constexpr(std::is_same<Target, Edge_length>::value || std::is_same<Target, Number_of_faces>::value)
+  if constexpr(std::is_same<Target, Edge_length>::value)
     return target;
+  else if constexpr(std::is_same<Target, Number_of_faces>::value)
+  {
+    if(target.value == 0)
+      reject("the number of faces must be positive");
+    return target;
+  }
   else
   {
     static_assert(std::is_integral<Target>::value, "geodesic_remeshing: the target is a number of vertices, "
                                                    "Number_of_faces{...} or Edge_length{...}");
     if(!(target > 0))
       reject("the number of vertices must be positive");
+    check_number_of_vertices(static_cast<double>(target), "the target");
     return static_cast<std::size_t>(target);
   }
 }

@@ -28,7 +28,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,14 +73,6 @@ template <class Concurrency_tag>
 std::size_t number_of_self_intersections(const Mesh& mesh)
 {
   return self_intersections<Concurrency_tag>(mesh.faces(), mesh).size();
-}
-
-inline std::string short_number(double x)
-{
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
 }
 
 class Surface_comparison

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace internal {
 struct Curvature_weights
 {
   double contrast = .5, gaussian = .5, mean = .5;
-  double ball_radius = -1.; // as for CGAL's curvatures: none
+  std::optional<double> ball_radius;
 };
 
 inline void check_weights(const Curvature_weights& weights)
@@ -39,6 +40,8 @@ inline void check_weights(const Curvature_weights& weights)
       reject("the weights of the Gaussian and the mean curvature must not be negative");
   if(!(weights.gaussian + weights.mean > 0.))
     reject("one of the weights of the Gaussian and the mean curvature must be positive");
+  if(weights.ball_radius && (!(*weights.ball_radius > 0.) || !std::isfinite(*weights.ball_radius)))
+    reject("the radius of the balls over which curvatures are averaged must be positive and finite");
 }
 
 // A third of the area of the faces around each vertex
@@ -82,9 +85,10 @@ inline std::vector<double> combined_curvatures(Mesh& surface, const Curvature_we
   namespace PMP = CGAL::Polygon_mesh_processing;
   auto mean = surface.add_property_map<Vertex, double>("v:mean_curvature", 0.).first;
   auto gaussian = surface.add_property_map<Vertex, double>("v:gaussian_curvature", 0.).first;
+  constexpr double none = -1.; // the default there
   PMP::interpolated_corrected_curvatures(
       surface, CGAL::parameters::vertex_mean_curvature_map(mean).vertex_Gaussian_curvature_map(gaussian).ball_radius(
-                   weights.ball_radius));
+                   weights.ball_radius.value_or(none)));
   std::vector<double> result;
   result.reserve(surface.number_of_vertices());
   for(Vertex v : surface.vertices())
@@ -121,8 +125,7 @@ inline std::vector<double> lengths_by_curvature(Mesh& surface, const Curvature_w
   check_weights(weights);
   const std::vector<double> areas = vertex_areas(surface);
   std::vector<double> curvature = combined_curvatures(surface, weights);
-  if(!(weights.ball_radius >
-       0.)) // the estimate of single rings is noisy, and the noise of the small lengths would spread
+  if(!weights.ball_radius) // the estimate of single rings is noisy, and the noise of the small lengths would spread
     curvature = mean_of_neighbours(surface, areas, curvature);
   double sum = 0., area = 0.;
   for(Vertex v : surface.vertices())

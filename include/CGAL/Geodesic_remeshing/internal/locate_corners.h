@@ -115,7 +115,7 @@ private:
   {
     check_parameters<NamedParameters, Parameters_of_mesh>();
     auto result = std::make_unique<Input_surface<TriangleMesh>>();
-    copy_input(tmesh, np, *result, true);
+    copy_input(tmesh, np, *result);
     return result;
   }
 

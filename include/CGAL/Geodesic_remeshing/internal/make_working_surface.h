@@ -12,7 +12,9 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Constraints.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
+#include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/numbers_in_messages.h>
 #include <CGAL/Geodesic_remeshing/internal/split_long_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -45,10 +48,31 @@ inline void check_thinness(const Mesh& surface, double edge_length, std::size_t 
     return;
   const double needed =
       longest / number * longest / (room * room); // the edge length falls as the square root of the number
-  throw Remeshing_error("geodesic remeshing: the surface is too long and thin for " +
-                        std::to_string(number_of_vertices) + " vertices: " +
-                        (needed < 1e9 ? "it takes at least " + std::to_string(static_cast<long long>(std::ceil(needed)))
-                                      : "no number would do"));
+  throw Remeshing_error(
+      "geodesic remeshing: the surface is too long and thin for " + std::to_string(number_of_vertices) + " vertices: " +
+      (needed < most_vertices ? "it takes at least " + std::to_string(static_cast<long long>(std::ceil(needed)))
+                              : "no number would do"));
+}
+
+// Bisecting an edge about as long as the rounding of its middle need not make it shorter, and could go on without end.
+// Edges a good deal longer than that are needed anyway, or their angles would be those of rounding.
+inline void check_resolution(const Mesh& surface, double edge_length)
+{
+  constexpr double roundings = 16.;
+  const Metric metric(surface);
+  double shortest = infinity, largest = 0.; // edge and coordinate
+  for(Vertex v : surface.vertices())
+  {
+    const Point& p = surface.point(v);
+    shortest = (std::min)(shortest, metric.size(v) * edge_length);
+    largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  }
+  const double rounding = std::numeric_limits<double>::epsilon() * largest;
+  if(!(shortest > roundings * rounding))
+    throw Remeshing_error("geodesic remeshing: edges of length " + short_number(shortest) +
+                          " are too short for coordinates as large as " + short_number(largest) +
+                          ", which are rounded: they must be longer than " + short_number(roundings * rounding) +
+                          ", or the surface nearer to the origin");
 }
 
 // On lines a third of that: distances from a line are those from its vertices.

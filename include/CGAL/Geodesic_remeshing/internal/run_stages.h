@@ -71,6 +71,7 @@ void run_stages(const Stages_work& work, const Any_target& target, const Goal& g
 
   clock.stage("refinement", .05);
   Working_surface& working = run.working;
+  check_resolution(surface, goal.mean_edge_length);
   make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
   std::vector<Line_piece> lines = trace_lines(working, constraints);
   Line_densities(working, goal.mean_edge_length, lines).run(.5 * static_cast<double>(goal.number_of_vertices));

@@ -15,6 +15,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Intrinsic_triangulation.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
+#include <CGAL/Geodesic_remeshing/internal/numbers_in_messages.h>
 #include <CGAL/Geodesic_remeshing/remeshing_types.h>
 
 #include <algorithm>
@@ -131,18 +132,16 @@ private:
 
   [[noreturn]] void fail(double number)
   {
-    const auto round = [](double x) {
-      return std::to_string(static_cast<long long>(std::llround((std::min)(x, 1e18))));
-    };
     const auto number_with = [&](double length) {
-      return length > 0. && length < infinity ? round(number_of_vertices(std::vector<double>(m_wishes.size(), length)))
-                                              : "";
+      return length > 0. && length < infinity
+                 ? whole_number(number_of_vertices(std::vector<double>(m_wishes.size(), length)))
+                 : "";
     };
     const std::string fewest = number_with(m_limits.maximum_length), most = number_with(m_limits.minimum_length);
-    const std::string message = round(number) + " vertices are not within the limits of the sizing: its lengths allow" +
-                                (fewest.empty() ? "" : " no fewer than about " + fewest) +
-                                (fewest.empty() || most.empty() ? "" : " and") +
-                                (most.empty() ? "" : " no more than about " + most);
+    const std::string message =
+        whole_number(number) + " vertices are not within the limits of the sizing: its lengths allow" +
+        (fewest.empty() ? "" : " no fewer than about " + fewest) + (fewest.empty() || most.empty() ? "" : " and") +
+        (most.empty() ? "" : " no more than about " + most);
     throw Remeshing_error("geodesic remeshing: " + message);
   }
 

@@ -91,13 +91,25 @@ double nearness_of(const NamedParameters& np)
   return nearness;
 }
 
+// A signed number below zero would become a large one.
+template <class NamedParameters>
+std::size_t number_of_iterations_of(const NamedParameters& np)
+{
+  const auto number =
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::number_of_iterations), 3u);
+  if constexpr(std::is_signed<decltype(number)>::value)
+    if(number < 0)
+      throw std::invalid_argument("geodesic remeshing: the number of iterations must not be negative");
+  return static_cast<std::size_t>(number);
+}
+
 template <class NamedParameters>
 Options unpack_options(const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   return Options{choose_parameter(get_parameter(np, internal_np::use_segmentation), true),
-                 static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u)),
+                 number_of_iterations_of(np),
                  choose_parameter(get_parameter(np, internal_np::use_defect_moves), true),
                  choose_parameter(get_parameter(np, internal_np::do_project), true),
                  nearness_of(np),
