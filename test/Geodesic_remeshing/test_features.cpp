@@ -1084,7 +1084,7 @@ TEST(Lines, corners_of_a_long_saw_take_no_time)
     saw.add_face(Vertex(i), Vertex(i + 3), Vertex(i + 2));
   }
   internal::Input_surface<Mesh> copy;
-  internal::copy_input(saw, parameters::default_values(), copy, true);
+  internal::copy_input(saw, parameters::default_values(), copy);
   const std::clock_t start = std::clock();
   const Constraints c = internal::find_constraints(saw, parameters::default_values(), copy, 1.);
   EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 3.);

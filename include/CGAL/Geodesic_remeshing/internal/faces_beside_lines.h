@@ -10,10 +10,13 @@
 #ifndef CGAL_GEODESIC_REMESHING_INTERNAL_FACES_BESIDE_LINES_H
 #define CGAL_GEODESIC_REMESHING_INTERNAL_FACES_BESIDE_LINES_H
 
+#include <CGAL/Geodesic_remeshing/internal/Component_numbers.h>
 #include <CGAL/Geodesic_remeshing/internal/triangulate_strips.h>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,34 +25,14 @@ namespace Geodesic_remeshing {
 namespace internal {
 
 // The pieces that the constrained edges divide a mesh into, numbered in the order of their first faces
-inline std::vector<std::size_t> pieces_between_lines(const Placed_mesh& remeshed, std::size_t& number)
+inline std::vector<std::uint32_t> pieces_between_lines(const Placed_mesh& remeshed, std::size_t& number)
 {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
   const Mesh& mesh = remeshed.mesh;
-  std::vector<std::size_t> piece(mesh.number_of_faces(), none);
-  std::vector<Face> stack;
-  number = 0;
-  for(Face seed : mesh.faces())
-  {
-    if(piece[seed] != none)
-      continue;
-    piece[seed] = number;
-    for(stack.assign(1, seed); !stack.empty();)
-    {
-      const Face f = stack.back();
-      stack.pop_back();
-      for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      {
-        const Face g = mesh.face(mesh.opposite(h));
-        if(g == Mesh::null_face() || remeshed.constrained[mesh.edge(h)] || piece[g] != none)
-          continue;
-        piece[g] = number;
-        stack.push_back(g);
-      }
-    }
-    ++number;
-  }
-  return piece;
+  Component_numbers pieces(mesh.number_of_faces());
+  for(Edge e : mesh.edges())
+    if(!mesh.is_border(e) && !remeshed.constrained[e])
+      pieces.join(mesh.face(mesh.halfedge(e, 0)), mesh.face(mesh.halfedge(e, 1)));
+  return pieces.take(number);
 }
 
 // Finds a face of the input that a face of the output lies upon: the one to which the way from a corner's place to
@@ -123,7 +106,7 @@ private:
 // vertices lie on lines its faces vote. `is_same_patch` compares two input faces.
 template <class IsSamePatch>
 std::vector<Face> faces_of_patches(const Mesh& surface, const Placed_mesh& remeshed,
-                                   const std::vector<std::size_t>& piece, std::size_t number,
+                                   const std::vector<std::uint32_t>& piece, std::size_t number,
                                    const IsSamePatch& is_same_patch)
 {
   const Face_beneath beneath(surface, remeshed);

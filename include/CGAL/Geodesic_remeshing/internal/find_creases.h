@@ -27,6 +27,35 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
+// Gives these faces the normals of those across their longest sides, or of the ones beyond.
+inline void borrow_normals(const Mesh& mesh, const Metric& metric, const std::vector<Face>& flat,
+                           std::vector<Vector>& normal)
+{
+  const auto across_longest = [&](const Face f) {
+    Halfedge longest = mesh.halfedge(f);
+    for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      if(metric.length(h) > metric.length(longest))
+        longest = h;
+    return mesh.face(mesh.opposite(longest));
+  };
+  std::vector<char> is_left(mesh.number_of_faces(), 0); // to be looked at
+  for(const Face f : flat)
+    is_left[f] = 1;
+  std::vector<Face> way;
+  for(const Face start : flat)
+  {
+    Face f = start;
+    for(way.clear(); f != Mesh::null_face() && is_left[f]; f = across_longest(f))
+    {
+      is_left[f] = 0;
+      way.push_back(f);
+    }
+    if(f != Mesh::null_face())
+      for(const Face g : way)
+        normal[g] = normal[f];
+  }
+}
+
 // Normals of the faces. A face without area, but for the seven digits that files have, has that of the neighbour across
 // its longest side, so that a crease beside it is found where its other sides are.
 inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
@@ -50,29 +79,12 @@ inline std::vector<Vector> normals_of_faces(const Mesh& mesh)
     else
       flat.push_back(f);
   }
-  for(std::size_t before = flat.size() + 1; flat.size() < before;)
-  {
-    before = flat.size();
-    std::vector<Face> left;
-    for(Face f : flat)
-    {
-      Halfedge longest = mesh.halfedge(f);
-      for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        if(metric.length(h) > metric.length(longest))
-          longest = h;
-      const Face g = mesh.face(mesh.opposite(longest));
-      if(g != Mesh::null_face() && normal[g].squared_length() > 0.)
-        normal[f] = normal[g];
-      else
-        left.push_back(f);
-    }
-    flat.swap(left);
-  }
+  borrow_normals(mesh, metric, flat, normal);
   return normal;
 }
 
 // The edges at which the surface turns by at least this angle, as `Polygon_mesh_processing::detect_sharp_edges()` has
-// it
+// it, but that a face too thin to have a normal has that of its neighbor
 inline std::vector<char> find_sharp_edges(const Mesh& mesh, double angle_in_degrees)
 {
   const double bound = std::cos(angle_in_degrees * CGAL_PI / 180.);

@@ -47,7 +47,7 @@ auto patches_of_faces(const Input_surface<TriangleMesh>& input, const Placed_mes
                       const NamedParametersIn& np_in)
 {
   std::size_t number;
-  const std::vector<std::size_t> piece = pieces_between_lines(remeshed, number);
+  const std::vector<std::uint32_t> piece = pieces_between_lines(remeshed, number);
   if constexpr(is_given<NamedParametersIn, internal_np::face_patch_t>)
   {
     const auto patch = CGAL::parameters::get_parameter(np_in, internal_np::face_patch);
