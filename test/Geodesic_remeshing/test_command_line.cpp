@@ -950,11 +950,11 @@ TEST_F(Command_line, hints_at_options_that_mend_the_input)
   EXPECT_NE(hint(soup, "").find("hint: 1902 of the 1902 vertices of the boundary"), std::string::npos)
       << hint(soup, "");
   EXPECT_EQ(hint(soup, " --stitch 2.1e-06"), "");
-  EXPECT_EQ(hint(scan, ""), "geodesic_remesh: hint: 1 of the 2 parts are smaller than four of the new triangles "
-                            "(--drop-parts 0.0027 leaves them out)\n");
+  EXPECT_EQ(hint(scan, ""), "geodesic_remesh: hint: 1 of the 2 parts is smaller than four of the new triangles "
+                            "(--drop-parts 0.0027 leaves it out)\n");
   EXPECT_EQ(hint(scan, " --drop-parts 0.0027"), "");
-  EXPECT_EQ(hint(hole, ""), "geodesic_remesh: hint: 1 holes are no longer around than four of the new edges "
-                            "(--fill-holes 3 closes them)\n");
+  EXPECT_EQ(hint(hole, ""), "geodesic_remesh: hint: 1 hole is no longer around than four of the new edges "
+                            "(--fill-holes 3 closes it)\n");
   EXPECT_EQ(hint(hole, " --fill-holes 3"), "");
   EXPECT_EQ(hint(hole, " --quiet"), "");
   EXPECT_EQ(hint(file("cloth.off", off_of_folded_cloth()), ""), ""); // whose layers are near to each other

@@ -211,8 +211,8 @@ inline std::string hint_at_tiny_parts(const Parts& parts)
   if(number == 0 || sum > .1 * parts.whole || !(largest > 0.))
     return "";
   return std::to_string(number) + " of the " + std::to_string(parts.area.size()) +
-         " parts are smaller than four of the new triangles (--drop-parts " +
-         short_number_above(100. * largest / parts.whole) + " leaves them out)";
+         (number == 1 ? " parts is" : " parts are") + " smaller than four of the new triangles (--drop-parts " +
+         short_number_above(100. * largest / parts.whole) + (number == 1 ? " leaves it out)" : " leaves them out)");
 }
 
 // Not what a sheet ends at: around a disc of n faces there are 2.3 sqrt(n) edges. That counts faces of the input, as a
@@ -248,8 +248,10 @@ inline std::string hint_at_tiny_holes(const Mesh& mesh, const Parts& parts, doub
              tiny.end());
   if(tiny.empty())
     return "";
-  return std::to_string(tiny.size()) + " holes are no longer around than four of the new edges (--fill-holes " +
-         std::to_string(*std::max_element(tiny.begin(), tiny.end())) + " closes them)";
+  return std::to_string(tiny.size()) + (tiny.size() == 1 ? " hole is" : " holes are") +
+         " no longer around than four of the new edges (--fill-holes " +
+         std::to_string(*std::max_element(tiny.begin(), tiny.end())) +
+         (tiny.size() == 1 ? " closes it)" : " closes them)");
 }
 
 } // namespace internal

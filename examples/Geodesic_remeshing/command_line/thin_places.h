@@ -63,7 +63,8 @@ public:
     if(m_pairs.empty())
       return "";
     const Tree tree(m_input.faces().begin(), m_input.faces().end(), m_input);
-    const std::string pairs = std::to_string(m_pairs.size()) + " pairs of faces intersect: ";
+    const std::string pairs = std::to_string(m_pairs.size()) +
+                              (m_pairs.size() == 1 ? " pair of faces intersects: " : " pairs of faces intersect: ");
     if(does_input_intersect(tree))
       return pairs + "the input intersects itself there";
     const double width = width_in_edges(tree);
