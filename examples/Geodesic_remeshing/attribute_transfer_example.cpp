@@ -57,6 +57,6 @@ int main(int argc, char* argv[])
     upper += new_part[f];
   std::cout << upper << " of " << out.number_of_faces() << " faces belong to the upper part\n";
   std::ofstream file("colored.ply");
-  CGAL::IO::write_PLY(file, out);
-  return EXIT_SUCCESS;
+  file.precision(17);
+  return CGAL::IO::write_PLY(file, out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

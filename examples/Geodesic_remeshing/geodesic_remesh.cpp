@@ -49,7 +49,7 @@ using command_line::Options;
 using command_line::Report;
 using command_line::Transfer;
 
-enum Exit_status { done = 0, wrong_usage = 1, bad_input = 2, cannot_remesh = 3 };
+enum Exit_status { done = 0, wrong_usage = 1, bad_input = 2, cannot_remesh = 3, not_valid = 4 };
 
 const std::string version = "geodesic_remesh " GEODESIC_REMESHING_VERSION " (CGAL " CGAL_VERSION_STR ")";
 
@@ -97,16 +97,27 @@ struct Job
   }
 };
 
-using Sizing = Mesh::Property_map<Mesh::Vertex_index, double>;
+// A sizing field, whether its lengths come from curvatures or from a file
+struct Sizing
+{
+  using vertex_descriptor = Mesh::Vertex_index;
+  using FT = double;
+
+  Mesh::Property_map<Mesh::Vertex_index, double> length;
+  double worth_of_nearness = 0.;
+
+  double at(const vertex_descriptor v) const { return length[v]; }
+  double nearness() const { return worth_of_nearness; }
+};
 
 Sizing sizing_by_curvature(Mesh& mesh, const Options& options)
 {
   const GR::Curvature_sizing_field<Mesh> field(mesh, GR::parameters::contrast(*options.contrast)
                                                          .gaussian_weight(options.gaussian_weight)
                                                          .mean_weight(options.mean_weight));
-  Sizing sizing = mesh.add_property_map<Mesh::Vertex_index, double>("v:sizing").first;
+  const Sizing sizing{mesh.add_property_map<Mesh::Vertex_index, double>("v:sizing").first, field.nearness()};
   for(const auto v : mesh.vertices())
-    sizing[v] = field.at(v);
+    sizing.length[v] = field.at(v);
   return sizing;
 }
 
@@ -126,7 +137,7 @@ GR::Summary remesh(command_line::Input& input, const Options& options, const Tra
     return job.remesh_with_features(np);
   const Sizing sizing = options.contrast
                             ? sizing_by_curvature(input.mesh, options)
-                            : command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file);
+                            : Sizing{command_line::read_sizing(options.sizing, input.mesh, input.vertices_in_file)};
   return job.remesh_with_features(np.sizing_field(sizing)
                                       .gradation(options.limits.gradation)
                                       .minimum_length(options.limits.minimum_length)
@@ -138,10 +149,12 @@ constexpr double fitted_tolerance = .05;
 
 GR::Remeshing_validity check(const Mesh& input, const Mesh& output, const Options& options)
 {
-  const auto np = GR::parameters::surface_tolerance(options.fit ? fitted_tolerance : 1e-9)
-                      .concurrency_tag(CGAL::Parallel_if_available_tag());
-  return options.vertices ? GR::is_valid_remeshing(input, output, np.expected_number_of_vertices(*options.vertices))
-                          : GR::is_valid_remeshing(input, output, np);
+  const auto with_number = [&](const auto& np) {
+    return options.vertices ? GR::is_valid_remeshing(input, output, np.expected_number_of_vertices(*options.vertices))
+                            : GR::is_valid_remeshing(input, output, np);
+  };
+  const auto np = GR::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
+  return options.fit ? with_number(np.surface_tolerance(fitted_tolerance)) : with_number(np);
 }
 
 std::string output_format_of(const Options& options, const command_line::Input_file& input)
@@ -182,7 +195,7 @@ void tell_hint(const std::string& hint)
     std::cerr << "geodesic_remesh: hint: " << hint << "\n";
 }
 
-void run(const Options& options)
+Exit_status run(const Options& options)
 {
   const command_line::Thread_limit thread_limit(options.threads);
   const command_line::Input_file file(options.input, options.input_format);
@@ -217,7 +230,7 @@ void run(const Options& options)
   if(!options.quiet && options.protect)
     tell_hint(command_line::hint_at_short_kept_edges(report.summary.edge_length, output, is_line));
   if(!options.quiet)
-    tell_hint(command_line::Thin_places(input.mesh, output).hint(options));
+    tell_hint(command_line::Thin_places(input.mesh, output).hint(options, report.summary.edge_length));
 
   files.write(options.output,
               [&](std::ostream& out) { transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output); });
@@ -233,6 +246,7 @@ void run(const Options& options)
     command_line::write_table(messages, report);
   if(!std::cout.flush())
     throw command_line::Output_error("standard output cannot be written");
+  return report.validity && !*report.validity ? not_valid : done;
 }
 
 int complain(const std::string& message, Exit_status status)
@@ -251,7 +265,7 @@ int main(int argc, char* argv[])
   try
   {
     if(const auto options = command_line::read_options(argc, argv, version))
-      run(*options);
+      return run(*options);
     return done;
   }
   catch(const command_line::Usage_error& error)

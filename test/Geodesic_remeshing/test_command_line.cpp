@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -310,6 +311,17 @@ TEST_F(Command_line, sizing_by_curvature)
   EXPECT_NE(contents(output()), first);
 }
 
+// As with the field itself, which also brings vertices nearer: .57 of it. By the lengths alone it is .69.
+TEST_F(Command_line, sizing_by_curvature_is_nearer_to_the_surface)
+{
+  const auto rms = [&](const std::string& options) {
+    EXPECT_EQ(run(mesh("homer") + " " + output() + " --vertices 5000 --report " + output("r.json") + options).status,
+              0);
+    return nlohmann::json::parse(contents(output("r.json")))["output"]["rms_percent"].get<double>();
+  };
+  EXPECT_LT(rms(" --contrast 0.5"), .63 * rms(""));
+}
+
 // Sizes as text and as PLY, the latter in both precisions: four times as long on one side as on the other
 TEST_F(Command_line, sizing_from_a_file)
 {
@@ -571,8 +583,10 @@ TEST_F(Command_line, features_are_kept)
   EXPECT_EQ(report["output"]["vertices"], 500);
   EXPECT_LT(report["output"]["hausdorff_percent"], 1e-6); // with all edges kept the surface is the same
   const std::string usual = cube + " " + output("other.off") + " --vertices 500 ";
-  for(const char* wrong : {"--feature-angle 0", "--feature-angle 180", "--feature-angle nan", "--feature-angle sharp"})
+  for(const char* wrong : {"--feature-angle 0", "--feature-angle 181", "--feature-angle nan", "--feature-angle sharp"})
     EXPECT_EQ(run(usual + wrong).status, 1) << wrong;
+  EXPECT_EQ(run(usual + "--feature-angle 180").status, 0); // none are kept
+  EXPECT_NE(contents(output("other.off")), contents(output()));
 }
 
 // The edges of its ends meet at 8.5 degrees.
@@ -989,6 +1003,43 @@ std::string off_of_walls(double gap, double shift)
 } // namespace
 
 // As the improvement finds a way where there is one, without it. The number that is named is one that does.
+// The exit status tells it, too: also where nothing else is told.
+TEST_F(Command_line, check_that_finds_a_fault)
+{
+  const std::string walls =
+      file("walls.off", off_of_walls(.015, 0.)) + " " + output() + " --vertices 40 --iterations 0";
+  EXPECT_EQ(run(walls).status, 0);
+  const Outcome outcome = run(walls + " --check");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.out.find("no self-intersection  NO"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run(walls + " --check --quiet").status, 4);
+  EXPECT_EQ(vertices_and_faces_of_off(output())[0], 40u);
+}
+
+// Vertices are on the surface up to the rounding of coordinates that are large.
+TEST_F(Command_line, check_far_from_the_origin)
+{
+  std::istringstream eight(contents(MESHES_FOLDER "/eight.off"));
+  std::ostringstream far;
+  std::string header;
+  std::size_t vertices, faces, edges;
+  eight >> header >> vertices >> faces >> edges;
+  far << "OFF\n" << vertices << " " << faces << " 0\n" << std::setprecision(17);
+  for(std::size_t i = 0; i < vertices; ++i)
+  {
+    double x, y, z;
+    eight >> x >> y >> z;
+    far << 1e8 + x << " " << 1e8 + y << " " << 1e8 + z << "\n";
+  }
+  far << eight.rdbuf();
+  const std::string input = file("far.off", far.str());
+  EXPECT_EQ(run(input + " " + output() + " --vertices 500 --check --report " + output("r.json")).status, 0);
+  const auto check = nlohmann::json::parse(contents(output("r.json")))["check"];
+  EXPECT_EQ(check["on_surface"], true);
+  EXPECT_EQ(check["lines_covered"], true);
+  EXPECT_GT(check["distance"].get<double>(), 1e-9);
+}
+
 // A sheet, two of whose sides are divided a hundred times as finely as it is to be
 TEST_F(Command_line, hints_at_short_edges_that_are_kept)
 {

@@ -284,6 +284,15 @@ TEST(Sizing, any_form_of_a_field_gives_the_same)
   EXPECT_TRUE(support::is_same_mesh(by_map, scaled));
 }
 
+TEST(Sizing, equal_lengths_are_no_sizing)
+{
+  Mesh input = made::torus(1., .4, 60, 30), uniform, equal;
+  const auto size = add_sizes(input, [](const Point&) { return 3.; });
+  geodesic_remeshing(input, 700, uniform);
+  geodesic_remeshing(input, 700, equal, gp::sizing_field(size));
+  EXPECT_TRUE(support::is_same_mesh(uniform, equal));
+}
+
 TEST(Sizing, fields_of_PMP)
 {
   Mesh input = read_model("bear");

@@ -48,8 +48,11 @@ inline const std::vector<std::pair<std::string, std::string>>& usage_examples()
 
 inline const std::vector<std::pair<int, std::string>>& exit_statuses()
 {
-  static const std::vector<std::pair<int, std::string>> statuses = {
-      {0, "done"}, {1, "wrong usage"}, {2, "INPUT unreadable or unusable"}, {3, "could not remesh or write"}};
+  static const std::vector<std::pair<int, std::string>> statuses = {{0, "done"},
+                                                                    {1, "wrong usage"},
+                                                                    {2, "INPUT unreadable or unusable"},
+                                                                    {3, "could not remesh or write"},
+                                                                    {4, "--check found a fault"}};
   return statuses;
 }
 

@@ -40,7 +40,7 @@ inline Option_group target_options()
   Option_group group{"Target, exactly one of these", {}};
   group.options.add_options()
     ("vertices", po::value<long long>()->value_name("N"), "exactly N vertices")
-    ("faces", po::value<long long>()->value_name("N"), "N faces")
+    ("faces", po::value<long long>()->value_name("N"), "N faces, of a closed surface an even number")
     ("edge-length", po::value<double>()->value_name("L"), "edges about as long as L");
   return group;
 }
@@ -65,7 +65,7 @@ inline Option_group input_options()
   Option_group group{"Input", {}};
   group.options.add_options()
     ("input-format", po::value<std::string>()->value_name(mesh_formats), "format of INPUT, whatever its name ends with")
-    ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by more than DEG degrees, and corners; 180: not even the long creases of an input of few faces")
+    ("feature-angle", po::value<double>()->value_name("DEG"), "keep edges where the surface turns by DEG degrees or more, and corners; 180: not even the long creases of an input of few faces")
     ("protect", po::bool_switch(), "keep the boundary, and features if sought, exactly, with all their vertices and edges")
     ("no-repair", po::bool_switch(), "refuse an INPUT that is no mesh as it is")
     ("stitch", po::value<double>()->value_name("TOLERANCE"), "join vertices of the boundary of INPUT no farther than TOLERANCE from others or from edges of it")
@@ -92,12 +92,12 @@ inline Option_group output_options()
     ("output-format", po::value<std::string>()->value_name(mesh_formats), "format of OUTPUT, whatever its name ends with")
     ("transfer", po::bool_switch(), "carry over what INPUT has beside its mesh: properties of vertices and faces from PLY to "
      "PLY, colors and texture coordinates, their seams kept, from OBJ to OBJ")
-    ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not")
+    ("check", po::bool_switch(), "check the result against INPUT and tell what holds and what does not; exit status 4 where something does not")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write quality, counts and times")
     ("html", po::value<std::string>()->value_name("FILE.html"), "write a page to look at: both meshes, histograms, tables")
     ("regions", po::value<std::string>()->value_name("FILE.ply"), "write the surface with the region of each face")
     ("curves", po::value<std::string>()->value_name("FILE.obj"), "write the equidistant curves")
-    ("quiet,q", po::bool_switch(), "no progress, no table");
+    ("quiet,q", po::bool_switch(), "no progress, no table, no hints, nothing about repairs");
   return group;
 }
 

@@ -125,7 +125,8 @@ inline void read_number(const po::variables_map& values, const std::string& name
   if(!std::isfinite(value) || value < low || value > high || (!with_ends && !(value > low && value < high)))
     throw Usage_error("--" + name +
                       (high < std::numeric_limits<double>::infinity()
-                           ? " must be between 0 and " + std::to_string(static_cast<int>(high))
+                           ? (with_ends ? " must be from 0 to " : " must be above 0 and below ") +
+                                 std::to_string(static_cast<int>(high))
                            : std::string(with_ends ? " must not be negative" : " must be a positive number")));
   result = value;
 }
@@ -245,7 +246,11 @@ inline std::optional<Options> read_options(int argc, const char* const* argv, co
     options.iterations = static_cast<unsigned int>((std::min<std::size_t>)(*iterations, 1000000));
   options.threads = internal::count(values, "threads", 1);
   options.use_segmentation = !values["no-segmentation"].as<bool>();
-  internal::read_number(values, "feature-angle", 0., 180., false, options.feature_angle);
+  internal::read_number(values, "feature-angle", 0., 180., true, options.feature_angle);
+  if(values.count("feature-angle") != 0 && !(options.feature_angle > 0.))
+    throw Usage_error("--feature-angle must be above 0 and at most 180");
+  if(options.feature_angle >= 180.)
+    options.feature_angle = 181.; // folds that lie flat upon themselves turn by 180
   options.fit = values["fit"].as<bool>();
   options.protect = values["protect"].as<bool>();
   internal::read_repair(values, options.repair);

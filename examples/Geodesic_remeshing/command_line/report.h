@@ -60,11 +60,13 @@ inline nlohmann::ordered_json to_json(const CGAL::Geodesic_remeshing::Remeshing_
           {"same_genus", validity.has_same_genus},
           {"same_boundary_loops", validity.has_same_boundary_loops},
           {"number_of_vertices", validity.has_number_of_vertices},
+          {"on_surface", validity.is_on_surface},
           {"distance", validity.distance},
           {"degenerate_faces", validity.degenerate_faces},
           {"flipped_faces", validity.flipped_faces},
           {"self_intersections", validity.self_intersections},
           {"input_intersects_itself", validity.input_intersects_itself},
+          {"lines_covered", validity.covers_lines},
           {"line_distance", validity.line_distance}};
 }
 

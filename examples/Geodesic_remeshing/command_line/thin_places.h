@@ -58,7 +58,7 @@ public:
   }
 
   // One line, empty where there is nothing to say
-  std::string hint(const Options& options) const
+  std::string hint(const Options& options, double edge_length) const
   {
     if(m_pairs.empty())
       return "";
@@ -72,7 +72,7 @@ public:
       return pairs + "sheets of the input touch or lie on each other there, which no number of vertices parts";
     if(width > 1.)
       return pairs + "walls or gaps are hardly wider than edges are long there";
-    return pairs + "walls or gaps are thinner than edges are long there (about " + finer(options, width) +
+    return pairs + "walls or gaps are thinner than edges are long there (about " + finer(options, edge_length, width) +
            ", with edges as short as they are wide, leaves few or none)";
   }
 
@@ -160,13 +160,13 @@ private:
   }
 
   // The target in place of that of the options, with two digits
-  static std::string finer(const Options& options, double width)
+  static std::string finer(const Options& options, double edge_length, double width)
   {
     if(options.edge_length)
     {
       std::ostringstream out;
       out.precision(2);
-      out << "--edge-length " << width * *options.edge_length;
+      out << "--edge-length " << width * edge_length;
       return out.str();
     }
     const double number = static_cast<double>(options.vertices ? *options.vertices : *options.faces) / (width * width);

@@ -54,6 +54,8 @@ public:
   using Triangle_mesh = TriangleMesh;
   /// vertex descriptor
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// number type
+  using FT = double;
 
   /*!
    * computes the curvatures of all vertices.

@@ -165,8 +165,8 @@ inline std::ostream& operator<<(std::ostream& out, const Remeshing_validity& val
  *     \cgalParamDescription{how far a point of a boundary or of a constrained edge may be from the edges of the output,
  *                           as a part of that diagonal}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{`0.01`; for a line that turns to and fro between two vertices of `remeshed`, 2.5 times how far, in
- *                       the mean, it leaves the chords of stretches as long as the edges, where that is more}
+ *     \cgalParamDefault{`0.01`, or for a line that bends between two vertices of `remeshed` 2.5 times how far, in the mean,
+ *                       it leaves the chords of stretches as long as the edges, where that is more}
  *     \cgalParamExtra{Straight lines are covered to rounding; curved ones to the height of an arc over an edge, and
  *                     noise within an edge to its height.}
  *   \cgalParamNEnd

@@ -26,7 +26,8 @@ namespace Geodesic_remeshing {
 /*!
  * \ingroup PkgGeodesicRemeshingTypesRef
  * The target of a remeshing given as the length of its edges, in the unit of the coordinates. A type of its own, so
- * that a length is not taken for a number of vertices.
+ * that a length is not taken for a number of vertices. Of lengths for which the topology needs more vertices than they
+ * make, the edges are shorter.
  */
 struct Edge_length
 {
@@ -70,7 +71,7 @@ struct Summary
   std::size_t number_of_curves = 0;   ///< equidistant curves
   std::size_t number_of_strips = 0;   ///< pieces that the curves divide the surface into
   /// with `do_project(false)`, the root of the mean square of the distances of points of the input from the output, as
-  /// found at about ten points a face
+  /// found at about four points a face
   double rms_distance = 0.;
   /// with `do_project(false)`, the largest distance found, in both directions
   double largest_distance = 0.;

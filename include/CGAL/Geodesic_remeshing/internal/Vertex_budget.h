@@ -120,7 +120,7 @@ inline void check_number_of_vertices(std::size_t number, std::size_t topology, s
     if(number < needed)
       throw Remeshing_error("geodesic remeshing: " + std::to_string(number) + " vertices are too few: " + what + " " +
                             std::to_string(needed) + " at the least; try " +
-                            std::to_string((std::max)(enough, 3 * lines)));
+                            std::to_string((std::max)(enough, 3 * lines)) + " vertices");
   };
   reject_number(lines, "the corners and lines of the input need");
   reject_number(topology, "the topology of the input needs");

@@ -191,6 +191,9 @@ inline Goal set_goal(const Any_target& target, const std::vector<double>& wishes
     result = goal(number_of_vertices_for(target, surface));
     lengths = field.lengths_for_number(static_cast<double>(result.number_of_vertices));
   }
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  if(!(*shortest < *longest)) // no sizing: improved for its angles alone
+    return result;
   const auto density = add_density(surface);
   for(Vertex v : surface.vertices())
     density[v] = result.mean_edge_length / lengths[v];

@@ -243,11 +243,12 @@ inline void check_count(const Mesh& mesh, std::size_t wanted)
       "geodesic remeshing: could not reach " + std::to_string(wanted) + " vertices, only " + std::to_string(number);
   if(number > wanted) // half as many more were seen to be enough
     throw Remeshing_error(what + ": the handles, thin places and lines of the input need more; try " +
-                          std::to_string(number + number / 2 + 1));
+                          std::to_string(number + number / 2 + 1) + " vertices");
   if(number < wanted / 2)
     throw Remeshing_error(what +
                           ": the surface is far thinner than the edges are long; more vertices make them shorter");
-  throw Remeshing_error(what + ": no face can be divided without one of no area; try " + std::to_string(number));
+  throw Remeshing_error(what + ": no face can be divided without one of no area; try " + std::to_string(number) +
+                        " vertices");
 }
 
 // Over a range of fixed size, made for the elements of the input
