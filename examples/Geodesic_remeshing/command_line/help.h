@@ -50,7 +50,7 @@ inline const std::vector<std::pair<int, std::string>>& exit_statuses()
 {
   static const std::vector<std::pair<int, std::string>> statuses = {{0, "done"},
                                                                     {1, "wrong usage"},
-                                                                    {2, "INPUT unreadable or unusable"},
+                                                                    {2, "INPUT unusable"},
                                                                     {3, "could not remesh or write"},
                                                                     {4, "--check found a fault"}};
   return statuses;
