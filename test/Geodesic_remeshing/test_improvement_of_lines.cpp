@@ -412,7 +412,7 @@ TEST_P(Improvement_of_given_lines, keeps_them_and_reaches_the_count)
 INSTANTIATE_TEST_SUITE_P(Counts, Improvement_of_given_lines, testing::Values(.4, .8, 1., 1.2, 2., 5.));
 
 // A sheet that is flat on one side and bends on the other: there the sweeps would cost distance from the surface.
-TEST(Angle_relaxation, with_lines_only_what_is_flat_moves)
+TEST(Angle_relaxation, with_lines_only_what_is_flat_or_straight_moves)
 {
   constexpr double end_of_flat = 12.;
   const Mesh surface = grid(24, 16, false, false, [](const double i, const double j) {
@@ -438,8 +438,19 @@ TEST(Angle_relaxation, with_lines_only_what_is_flat_moves)
     relax_angles(remeshed, planes, badness_of_angle(40.), .1);
   EXPECT_LT(cotangents_of_flat_part(), .9 * before);
   for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
-    if(is_bent(v))
+    if(is_bent(v) || remeshed.is_on_line(v))
     {
       EXPECT_EQ(remeshed.spot(v).point, start.mesh.point(Vertex(v)));
     }
+  std::size_t slid = 0;
+  for(int i = 0; i < 5; ++i)
+    relax_angles(remeshed, planes, badness_of_angle(40.), .1, true);
+  for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+  {
+    const Point &p = start.mesh.point(Vertex(v)), &q = remeshed.spot(v).point;
+    slid += remeshed.is_on_line(v) && p != q;
+    EXPECT_EQ(remeshed.is_on_line(v), is_on_line(surface, constraints, remeshed.spot(v).place));
+    EXPECT_TRUE(p == q || (!is_bent(v) && !remeshed.is_fixed(v)));
+  }
+  EXPECT_GT(slid, 10u); // of the 12 + 15 + 12 on the sides of the flat part
 }

@@ -195,14 +195,14 @@ inline void polish(Remeshed_surface& remeshed, const std::size_t number_of_verti
 // 1,000, the RMS distance 1 to 2 percent less. A third sweep at 10,000 would gain .1 degrees. Sweeps that ask for the
 // deviations, as those of sizings, gain no more and take twice the time.
 inline void relax_angles(Remeshed_surface& remeshed, const std::vector<Quadric>& planes,
-                         const std::size_t number_of_vertices)
+                         const std::size_t number_of_vertices, const bool on_lines = false)
 {
   const double good = badness_of_angle(40.);
   if(number_of_vertices < 10000)
     for(const double part : {.15, .07})
-      relax_angles(remeshed, planes, good, part);
+      relax_angles(remeshed, planes, good, part, on_lines);
   for(const double part : {.1, .05})
-    relax_angles(remeshed, planes, good, part);
+    relax_angles(remeshed, planes, good, part, on_lines);
 }
 
 // Returns the conflicts that are left.
@@ -248,6 +248,11 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   // a thousand vertices deviates by a fiftieth of an edge.
   Deviation_descent(remeshed, nearest, badness_of_angle(40.))
       .run(parameters.number_of_vertices / (is_uniform ? 100 : 200), .02 * parameters.edge_length);
+  // What lies in a plane again, now along straight lines, too: not before, where other angles would lead the descent
+  // elsewhere. With features, on a hundred models of 500 and of 5,000 vertices, the mean angle is .3 and .1 degrees
+  // larger.
+  if(is_uniform && remeshed.has_lines())
+    relax_angles(remeshed, planes, parameters.number_of_vertices, true);
   Conflicts conflicts;
   if(!part_intersections(remeshed) || !find_turned_faces(remeshed).empty())
     conflicts = Conflict_refinement(remeshed, parameters.edge_length).run(parameters.number_of_vertices);
