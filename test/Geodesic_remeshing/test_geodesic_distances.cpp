@@ -341,6 +341,31 @@ TEST(Geodesic_distances_from_curve, through_the_interior_of_faces)
   EXPECT_LT(error.largest, 1e-9);
 }
 
+// Whether it goes around all faces of the apex for each piece of the curve: that would take minutes.
+TEST(Geodesic_distances_from_curve, around_the_apex_of_very_many_faces)
+{
+  const unsigned n = 100000;
+  Mesh mesh;
+  const Vertex apex = mesh.add_vertex(Point(0., 0., 0.));
+  for(unsigned i = 0; i < n; ++i)
+    mesh.add_vertex(Point(std::cos(2. * CGAL_PI * i / n), std::sin(2. * CGAL_PI * i / n), 0.));
+  std::vector<Location> curve;
+  for(unsigned i = 0; i < n; ++i)
+  {
+    const Face f = mesh.add_face(apex, Vertex(1 + i), Vertex(1 + (i + 1) % n));
+    Location location(f, {});
+    const auto corners = vertices_of(mesh, f);
+    for(unsigned k = 0; k < 3; ++k)
+      location.second[k] = corners[k] == apex || corners[k] == Vertex(1 + i) ? .5 : 0.;
+    curve.push_back(location);
+  }
+  curve.push_back(curve.front());
+  const Distances distance = add_distances(mesh);
+  GR::geodesic_distances_from_curve(mesh, distance, curve);
+  for(Vertex v : mesh.vertices())
+    EXPECT_NEAR(distance[v], .5, 1e-9);
+}
+
 TEST(Geodesic_distances_from_curve, open_curve_ends_as_a_point)
 {
   Mesh mesh = grid(60, 60, [](unsigned i, unsigned j) { return Point(i, j, 0.); });
@@ -533,6 +558,11 @@ TEST(Geodesic_distances, bad_input_is_refused_with_its_place)
   mesh.point(Vertex(7)) = Point(0., std::numeric_limits<double>::quiet_NaN(), 0.);
   EXPECT_EQ(message([&] { GR::geodesic_distances(mesh, distance, Vertex(0)); }),
             "geodesic_distances(): the coordinates of vertex 7 are not finite");
+  Mesh tiny = irregular_plane(3, 20.);
+  for(Vertex v : tiny.vertices())
+    tiny.point(v) = CGAL::ORIGIN + 1e-100 * (tiny.point(v) - CGAL::ORIGIN);
+  EXPECT_EQ(message([&] { GR::geodesic_distances(tiny, add_distances(tiny), Vertex(0)); }),
+            "geodesic_distances(): the edges are too short or too long to compute with");
   Mesh quad;
   quad.add_face(quad.add_vertex(Point(0., 0., 0.)), quad.add_vertex(Point(1., 0., 0.)),
                 quad.add_vertex(Point(1., 1., 0.)), quad.add_vertex(Point(0., 1., 0.)));

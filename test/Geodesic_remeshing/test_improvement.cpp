@@ -29,6 +29,22 @@ TEST(Surface_walker, boundary_ends_the_way)
   EXPECT_NEAR(q.y(), p.y(), 1e-12);
 }
 
+// Nor is there on the boundary for a way that just reaches it.
+TEST(Surface_walker, way_to_the_boundary_ends_before_it)
+{
+  const Mesh surface = plane(4);
+  const Surface_walker walker(surface);
+  for(const Face f : surface.faces())
+    for(const Vector& way : {Vector(-1., 0., 0.), Vector(1., 0., 0.), Vector(0., -1., 0.), Vector(0., 1., 0.)})
+    {
+      const Place from{f, {{.25, .5, .25}}};
+      const Point p = walker.point(from);
+      const double room = way.x() < 0. ? p.x() : way.x() > 0. ? 4. - p.x() : way.y() < 0. ? p.y() : 4. - p.y();
+      const Point q = walker.point(walker.walk(from, room * way)); // all of these numbers are exact
+      EXPECT_TRUE(q.x() > 0. && q.x() < 4. && q.y() > 0. && q.y() < 4.) << p << " to " << q;
+    }
+}
+
 TEST(Surface_walker, grid_vertices_are_passed_through)
 {
   const Mesh surface = plane(10);
@@ -113,6 +129,23 @@ TEST(Surface_walker, sphere_is_crossed_on_great_circles)
     const Vector expected = std::cos(length) * n + std::sin(length) / length * way;
     EXPECT_LT(std::sqrt((walker.point(walker.walk(from, way)) - (CGAL::ORIGIN + expected)).squared_length()), .03);
   }
+}
+
+// A long strip without area, numbered against the way that normals come: they go from face to face, not in rounds.
+TEST(Surface_walker, normals_reach_the_end_of_a_strip_without_area)
+{
+  const unsigned n = 200000;
+  Mesh surface;
+  for(unsigned i = 0; i < n + 2; ++i)
+    surface.add_vertex(Point(i, 0., 0.));
+  surface.add_vertex(Point(n, 1., 0.));
+  for(unsigned i = 0; i < n; ++i)
+    surface.add_face(Vertex(i), Vertex(i + 1 + i % 2), Vertex(i + 2 - i % 2));
+  surface.add_face(Vertex(n), Vertex(n + 1), Vertex(n + 2));
+  const Surface_walker walker(surface);
+  ASSERT_EQ(surface.number_of_faces(), n + 1);
+  for(const Face f : surface.faces())
+    ASSERT_NE(walker.normal(f), CGAL::NULL_VECTOR);
 }
 
 TEST(Surface_walker, faces_without_area_are_harmless)

@@ -363,6 +363,29 @@ TEST(Geom_traits, tell_the_coordinates_of_any_type_of_points)
   EXPECT_EQ(output.number_of_vertices(), 150u);
 }
 
+// What CGAL::to_double() tells of such a number gets nearer when somebody asks for its exact value.
+TEST(Lazily_exact_points, are_the_same_before_and_after_they_are_computed)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Exact::FT far = 1e7;
+  const Mesh sphere = made::torus(3, 1, 24, 10);
+  Surface_mesh<Exact> lazy;
+  CGAL::copy_face_graph(sphere, lazy);
+  for(const auto v : lazy.vertices())
+  {
+    const Exact::Point_3& p = lazy.point(v);
+    lazy.point(v) = Exact::Point_3(p.x() / 3 + far - far, p.y() / 3 + far - far, p.z() / 3 + far - far);
+  }
+  Mesh before, after;
+  CGAL::geodesic_remeshing(lazy, 100, before);
+  for(const auto v : lazy.vertices())
+    CGAL::exact(lazy.point(v));
+  CGAL::geodesic_remeshing(lazy, 100, after);
+  ASSERT_EQ(before.number_of_vertices(), after.number_of_vertices());
+  for(const auto v : before.vertices())
+    EXPECT_EQ(before.point(v), after.point(v));
+}
+
 // ---- parameters of an input that is replaced
 
 TEST(In_place, a_map_that_can_be_written_to_tells_of_the_output)

@@ -141,7 +141,7 @@ inline Place Line_walker::middle(const Place& from, const Place& to, const Place
   const Line& line = m_lines[m_pieces[piece].line];
   const double at = position(from, piece);
   double way = position_on(to, line) - at;
-  if(line.is_ring)
+  if(line.is_loop)
   {
     const auto forward = [&](const double d) { return d < 0. ? d + line.length : d; };
     const double side = forward(position_on(beside, line) - at);
@@ -158,14 +158,16 @@ inline Line_walker::Stretch Line_walker::stretch(const Place& place, const Place
   const Line& line = m_lines[m_pieces[piece].line];
   const double at = position(place, piece);
   double low = position_on(one, line), high = position_on(other, line);
-  if(line.is_ring)
+  if(line.is_loop)
   {
     const auto forward = [&](const double d) { return d < 0. ? d + line.length : d; };
     low = forward(low - at);
     high = forward(high - at);
     if(high < low)
       std::swap(low, high);
-    return {piece, at + high - line.length, at, at + low};
+    const bool has_end = is_end(start(m_pieces[line.first])); // beyond which nothing is, nor by rounding
+    return {piece, (std::max)(at + high - line.length, has_end ? 0. : -infinity), at,
+            (std::min)(at + low, has_end ? line.length : infinity)};
   }
   if(high < low)
     std::swap(low, high);
@@ -185,7 +187,7 @@ void Line_walker::for_each_vertex(const Index near, const double low, const doub
   double turn = 0.;
   for(Index i = near; visit_if_between(i, turn) > low;)
   {
-    if(i == line.first && !line.is_ring)
+    if(i == line.first && !line.is_loop)
       break;
     turn -= i == line.first ? line.length : 0.;
     i = i == line.first ? line.last - 1 : i - 1;
@@ -193,7 +195,7 @@ void Line_walker::for_each_vertex(const Index near, const double low, const doub
   turn = 0.;
   for(Index i = near;;)
   {
-    if(i + 1 == line.last && !line.is_ring)
+    if(i + 1 == line.last && !line.is_loop)
       break;
     turn += i + 1 == line.last ? line.length : 0.;
     i = i + 1 == line.last ? line.first : i + 1;

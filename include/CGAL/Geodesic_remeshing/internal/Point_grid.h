@@ -48,8 +48,9 @@ public:
     m_highest = (std::max)(m_highest, g.level);
   }
 
-  // Calls `visit(id, point, squared distance)` for the points within `radius` and no smaller or larger than a quarter
-  // and four times `size`; the radius must not exceed the width of the cells for that size.
+  // Calls `visit(id, point, squared distance)` for the points within `radius` that are of a quarter to four times
+  // `size`, and some that are of an eighth or of eight times; the radius must not exceed the width of the cells for
+  // that size.
   template <class Visit>
   void near(const Point& p, double size, double radius, const Visit& visit) const
   {

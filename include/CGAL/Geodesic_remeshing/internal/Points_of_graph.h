@@ -18,17 +18,35 @@
 #include <CGAL/property_map.h>
 
 namespace CGAL {
+
+template <class ET>
+class Lazy_exact_nt;
+
 namespace Geodesic_remeshing {
 namespace internal {
 
+// The nearest double, or one beside it. That of a lazily exact number must not depend on who has asked for its exact
+// value before, and may be as far from it as five digits if nobody has.
+template <class FT>
+double to_nearest_double(const FT& x)
+{
+  return CGAL::to_double(x);
+}
+
+template <class ET>
+double to_nearest_double(const Lazy_exact_nt<ET>& x)
+{
+  return CGAL::to_double(x.exact());
+}
+
 // The one place where the points of users meet those of the stages. It asks nothing of the former but what the
-// geometric traits tell of them, so that they may be of any type, and rounds coordinates to the nearest double.
+// geometric traits tell of them, so that they may be of any type, and rounds coordinates to doubles.
 template <class Traits, class User_point>
 Point to_point(const Traits traits,
                const User_point& p) // a traits class is mostly empty, and g++ warns of references to such
 {
-  return Point(CGAL::to_double(traits.compute_x_3_object()(p)), CGAL::to_double(traits.compute_y_3_object()(p)),
-               CGAL::to_double(traits.compute_z_3_object()(p)));
+  return Point(to_nearest_double(traits.compute_x_3_object()(p)), to_nearest_double(traits.compute_y_3_object()(p)),
+               to_nearest_double(traits.compute_z_3_object()(p)));
 }
 
 template <class Traits>

@@ -111,7 +111,8 @@ inline std::vector<Polish::Bad> Polish::worse_than(const double badness) const
 
 inline void Polish::run_apart(const double badness)
 {
-  constexpr std::size_t most = 100; // since each looks at all faces
+  // Each looks at all faces: a hundred of up to 20,000 vertices, then fewer, for no more time than a pass takes.
+  const std::size_t most = (std::min)(std::size_t(100), 1 + 4000000 / std::size_t(m_table.face_slots()));
   const std::vector<Bad> bad = worse_than(badness);
   const auto do_intersect = [&](const Zone& zone) { return has_intersections_anywhere(m_remeshed, zone); };
   for(std::size_t i = 0; i < (std::min)(bad.size(), most); ++i)

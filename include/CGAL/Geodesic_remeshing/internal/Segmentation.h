@@ -22,7 +22,7 @@ namespace internal {
 
 // Notation of the paper, section 5. Fronts start at the maxima of the distance D from the root and sweep down. A region
 // is what one front covers between two events: from its *top* (a centre, or the spectacles of its children's fronts) to
-// its *bottom*, a whole number of curve distances further on.
+// its *bottom*, a whole number of curve distances further on but in the last region of each component.
 struct Region
 {
   Region_kind kind = Region_kind::interior;

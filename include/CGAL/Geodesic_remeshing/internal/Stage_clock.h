@@ -15,12 +15,24 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <time.h>
 #include <functional>
 #include <string>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
+
+// Processor seconds of the calling thread, or where the system does not tell those, of the whole program
+inline double thread_seconds()
+{
+#ifdef CLOCK_THREAD_CPUTIME_ID
+  std::timespec time;
+  if(clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+#endif
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 // Tells the visitor of the stages, asks it whether to go on, and takes the time: that of the processor, which does not
 // depend on what else the machine does; with several threads that would be the sum of theirs, and what counts is what
@@ -34,8 +46,7 @@ public:
       m_visit_progress([&visitor](const double done) { return static_cast<bool>(visitor.progress(done)); }),
       m_summary(summary), m_is_parallel(is_parallel), m_start(now())
   {
-    m_summary.seconds.reserve(
-        16); // the last stage is entered after the output has changed, when nothing may fail any more
+    m_summary.seconds.reserve(16); // the last stage ends after the output has changed, when nothing may fail any more
   }
 
   // The stages from here on are done once more: their time counts for the one that is on, and the visitor is only asked
@@ -81,7 +92,7 @@ private:
   double now() const
   {
     if(!m_is_parallel)
-      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+      return thread_seconds();
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
 

@@ -53,8 +53,8 @@ protected:
   {
     Index first, last;
     double length;
-    bool is_ring;
-  }; // pieces [first, last)
+    bool is_loop; // ends where it begins, perhaps at a corner
+  };              // pieces [first, last)
 
   bool is_end(const Index x) const { return m_incident[x][1] == none; }
   Index start(const Piece& p) const { return p.is_reversed ? m_table.target(p.h) : m_table.source(p.h); }
@@ -119,7 +119,7 @@ inline void Surface_lines::find_ends(const Constraints& constraints)
       m_incident[x][1] = none;
 }
 
-// From an end to the next, or around. The edge at an end that `incident_` does not know is not asked for.
+// From an end to the next, or around. The edge at an end that `m_incident` does not know is not asked for.
 inline void Surface_lines::follow(Index h, const Index from)
 {
   const Index number = static_cast<Index>(m_lines.size()), first = static_cast<Index>(m_pieces.size());
@@ -183,7 +183,7 @@ inline double Surface_lines::position_on(const Place& place, const Line& line) c
 inline Place Surface_lines::place_at(Index near, double at) const
 {
   const Line& line = m_lines[m_pieces[near].line];
-  if(line.is_ring && line.length > 0. && !(at >= 0. && at < line.length))
+  if(line.is_loop && line.length > 0. && !(at >= 0. && at < line.length))
   {
     near = at < 0. ? line.last - 1 : line.first;
     at -= line.length * std::floor(at / line.length);

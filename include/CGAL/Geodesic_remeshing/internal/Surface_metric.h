@@ -20,6 +20,7 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -97,7 +98,7 @@ private:
     for(const auto v : vertices(mesh))
     {
       const Point p = m_points(v);
-      if(!std::isfinite(p.x() + p.y() + p.z()))
+      if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
         fail("the coordinates of vertex " + std::to_string(get(vertex_index, v)) + " are not finite");
       if(!(weight(v) > 0.) || !std::isfinite(weight(v)))
         fail("the weight of vertex " + std::to_string(get(vertex_index, v)) + " is not a positive number");
@@ -105,6 +106,11 @@ private:
     for(const auto f : faces(mesh))
       if(!is_triangle(halfedge(f, mesh), mesh))
         fail("face " + std::to_string(get(face_index, f)) + " is not a triangle");
+    double longest = 0.;
+    for(const auto e : edges(mesh))
+      longest = (std::max)(longest, length(halfedge(e, mesh)));
+    if(!is_scale_computable(longest) && longest > 0.)
+      fail("the edges are too short or too long to compute with");
   }
 
   Points_of_graph<TriangleMesh, NamedParameters> m_points;

@@ -38,9 +38,11 @@ class Surface_sources
   using halfedge_descriptor = typename Metric::halfedge_descriptor;
 
 public:
-  // A point by the vertices that it is a mean of: one at a vertex, two on an edge.
+  // A point by the vertices that it is a mean of: one at a vertex, two on an edge. The halfedge leads to the vertex, or
+  // is that edge, or one of the face.
   struct Surface_point
   {
+    halfedge_descriptor h;
     std::array<vertex_descriptor, 3> vertices;
     std::array<double, 3> weights;
     std::size_t size = 0;
@@ -61,6 +63,7 @@ public:
   Surface_point surface_point(vertex_descriptor v) const
   {
     Surface_point result;
+    result.h = halfedge(v, m_metric.mesh);
     result.vertices[0] = v;
     result.weights[0] = 1.;
     result.size = 1;
@@ -76,8 +79,9 @@ public:
     constexpr double largest_error = 1e-6;
 
     Surface_point result;
-    double sum = 0.;
+    double sum = 0., kept = 0.;
     halfedge_descriptor h = prev(halfedge(location.first, m_metric.mesh), m_metric.mesh);
+    result.h = h;
     for(const FT& coordinate : location.second)
     {
       const double c = CGAL::to_double(coordinate);
@@ -88,11 +92,18 @@ public:
       {
         result.vertices[result.size] = target(h, m_metric.mesh);
         result.weights[result.size++] = c;
+        kept += c;
       }
+      else // on the edge opposite to the last such vertex; at a vertex see below
+        result.h = prev(h, m_metric.mesh);
       h = next(h, m_metric.mesh);
     }
     if(std::abs(sum - 1.) > largest_error)
       m_metric.fail("the coordinates of a point of face " + face_name(location.first) + " do not add up to one");
+    if(result.is_vertex())
+      return surface_point(result.vertices[0]);
+    for(std::size_t i = 0; i < result.size; ++i)
+      result.weights[i] /= kept;
     return result;
   }
 
@@ -107,15 +118,14 @@ public:
   // The straight piece between two points of one face or edge; false if they have none in common.
   bool add_piece(const Surface_point& p, const Surface_point& q)
   {
-    if(halfedge(p.vertices[0], m_metric.mesh) == boost::graph_traits<typename Metric::Mesh_type>::null_halfedge())
-      return false; // an isolated vertex
     bool is_found = false;
-    for(const halfedge_descriptor h : halfedges_around_target(p.vertices[0], m_metric.mesh))
+    for_each_face_at(is_in_fewer_faces(p, q) ? p : q, [&](const halfedge_descriptor h) {
       if(!is_border(h, m_metric.mesh) && contains(h, p) && contains(h, q))
       {
         add_piece_in_face(h, p, q);
         is_found = true;
       }
+    });
     return is_found;
   }
 
@@ -168,6 +178,40 @@ private:
       return p + (std::max)(0., (std::min)(1., t)) * direction;
     }
   };
+
+  // Calls `visit(h)` for a halfedge of each face that a point is in, or of the outside; for none at an isolated vertex.
+  template <typename Visit>
+  void for_each_face_at(const Surface_point& p, const Visit& visit) const
+  {
+    if(!p.is_vertex())
+    {
+      visit(p.h);
+      if(p.size == 2)
+        visit(opposite(p.h, m_metric.mesh));
+    }
+    else if(p.h != null_halfedge())
+      for(const halfedge_descriptor h : halfedges_around_target(p.h, m_metric.mesh))
+        visit(h);
+  }
+
+  // Around two vertices at the same time: one may be the apex of a cone of all faces.
+  bool is_in_fewer_faces(const Surface_point& p, const Surface_point& q) const
+  {
+    if(!p.is_vertex() || !q.is_vertex() || p.h == null_halfedge() || q.h == null_halfedge())
+      return p.size > q.size || p.h == null_halfedge();
+    const auto next_around = [&](const halfedge_descriptor h) {
+      return opposite(next(h, m_metric.mesh), m_metric.mesh);
+    };
+    halfedge_descriptor g = next_around(p.h), h = next_around(q.h);
+    for(; g != p.h && h != q.h; g = next_around(g))
+      h = next_around(h);
+    return g == p.h;
+  }
+
+  static halfedge_descriptor null_halfedge()
+  {
+    return boost::graph_traits<typename Metric::Mesh_type>::null_halfedge();
+  }
 
   bool contains(halfedge_descriptor h, const Surface_point& p) const
   {

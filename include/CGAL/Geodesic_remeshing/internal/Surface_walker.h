@@ -41,7 +41,7 @@ public:
                           Concurrency concurrency = Concurrency());
 
   // Goes along the projection of `displacement` to the plane of the face, for the projection's length. Ends before the
-  // lines, of which the boundary is one, and after `maximum_number_of_crossings_` (a way around a degenerate vertex
+  // lines, of which the boundary is one, and after `m_maximum_number_of_crossings` (a way around a degenerate vertex
   // need not end).
   Place walk(const Place& from, const Vector& displacement) const;
 
@@ -119,29 +119,29 @@ inline void Surface_walker::lay_out(const Index f)
   }
 }
 
-// Faces without area have no normal of their own; the neighbours' do, if not in the first round then in a later one.
+// Faces without area have no normal of their own, but that of a neighbour, or of one beyond.
 inline void Surface_walker::borrow_normals()
 {
-  std::vector<Index> bare;
+  std::vector<Index> lenders;
+  const auto for_each_neighbor = [&](const Index f, const auto& visit) {
+    for(Index h = 4 * f; h < 4 * f + 3; ++h)
+      if(m_triangulation.opposite(h) != Lean_triangulation::none)
+        visit(Lean_triangulation::face(m_triangulation.opposite(h)));
+  };
   for(Index f = 0; f < m_triangulation.face_slots(); ++f)
     if(m_frames[f].normal == NULL_VECTOR)
-      bare.push_back(f);
-  for(std::size_t before = bare.size() + 1; bare.size() < before;)
-  {
-    before = bare.size();
-    bare.erase(std::remove_if(bare.begin(), bare.end(),
-                              [&](const Index f) {
-                                for(Index h = 4 * f; h < 4 * f + 3; ++h)
-                                {
-                                  const Index o = m_triangulation.opposite(h);
-                                  if(o != Lean_triangulation::none &&
-                                     m_frames[Lean_triangulation::face(o)].normal != NULL_VECTOR)
-                                    m_frames[f].normal = m_frames[Lean_triangulation::face(o)].normal;
-                                }
-                                return m_frames[f].normal != NULL_VECTOR;
-                              }),
-               bare.end());
-  }
+      for_each_neighbor(f, [&](const Index g) {
+        if(m_frames[g].normal != NULL_VECTOR)
+          lenders.push_back(g);
+      });
+  for(std::size_t i = 0; i < lenders.size(); ++i)
+    for_each_neighbor(lenders[i], [&](const Index f) {
+      if(m_frames[f].normal == NULL_VECTOR)
+      {
+        m_frames[f].normal = m_frames[lenders[i]].normal;
+        lenders.push_back(f);
+      }
+    });
 }
 
 // As `point_at()`, which has to go through the mesh' halfedges.
@@ -234,7 +234,7 @@ inline Place Surface_walker::walk(const Place& from, const Vector& displacement)
   std::array<double, 3> at = from.coordinates, by = velocity(from.face, displacement);
   // Most ways end in the face where they begin.
   const std::array<double, 3> end = {{at[0] + by[0], at[1] + by[1], at[2] + by[2]}};
-  if(end[0] >= 0. && end[1] >= 0. && end[2] >= 0.)
+  if(end[0] > 0. && end[1] > 0. && end[2] > 0.)
     return Place{from.face, end};
   for(std::size_t crossings = 0; crossings < m_maximum_number_of_crossings; ++crossings)
   {
@@ -250,6 +250,9 @@ inline Place Surface_walker::walk(const Place& from, const Vector& displacement)
         time = at[i] / -by[i];
         exit = i;
       }
+    for(Index i = 0; i < 3 && exit == 3; ++i) // the end may be on a line
+      if(by[i] < 0. && !(at[i] + by[i] > 0.) && m_triangulation.is_constrained(4 * f + (i + 1) % 3))
+        exit = i;
     const Index h = 4 * f + (exit + 1) % 3;
     const bool is_stopped = exit != 3 && m_triangulation.is_constrained(h);
     if(is_stopped)

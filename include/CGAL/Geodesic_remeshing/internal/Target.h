@@ -36,12 +36,11 @@ inline double number_for_length(double area, double length)
   return 2. * area / (std::sqrt(3.) * length * length);
 }
 
-// Fourth powers of lengths, which the predicates compare, must neither vanish nor overflow.
 inline void check_scale(double edge_length)
 {
   if(!(edge_length > 0.))
     reject("the surface has no area: its faces are degenerate, or too small to compute with");
-  if(!(edge_length > 1e-70) || !(edge_length < 1e70))
+  if(!is_scale_computable(edge_length))
     reject("the coordinates are too small or too large to compute with");
 }
 
@@ -49,7 +48,7 @@ inline void check_scale(double edge_length)
 // left for topology and for changes on the way.
 constexpr double most_vertices = 5e8;
 
-inline void check_number_of_vertices(double number, const std::string& what)
+inline void check_not_too_many(double number, const std::string& what)
 {
   if(!(number <= most_vertices))
     reject(what + " asks for " + whole_number(number) + " vertices, and more than " + whole_number(most_vertices) +
@@ -64,7 +63,7 @@ inline void check_length(double length)
 
 inline std::size_t rounded_number_of_vertices(double number)
 {
-  check_number_of_vertices(number, "the edge length is too small: it");
+  check_not_too_many(number, "the edge length is too small: it");
   return (std::max)(std::size_t(4), static_cast<std::size_t>(std::llround(number)));
 }
 
@@ -77,7 +76,7 @@ inline std::size_t vertices_for_length(double area, double length)
 // On a surface with boundary, but for half of the vertices there: these are not known yet.
 inline std::size_t vertices_for_faces(const Mesh& surface, std::size_t faces)
 {
-  check_number_of_vertices(static_cast<double>(faces / 2), "the number of faces");
+  check_not_too_many(static_cast<double>(faces / 2), "the number of faces");
   const std::ptrdiff_t vertices =
       static_cast<std::ptrdiff_t>(faces / 2) + euler_characteristic(surface); // V - E + F, and 3 F = 2 E
   if(!CGAL::is_closed(surface))
@@ -109,7 +108,7 @@ Any_target unpack_target(const Target& target)
                                                    "Number_of_faces{...} or Edge_length{...}");
     if(!(target > 0))
       reject("the number of vertices must be positive");
-    check_number_of_vertices(static_cast<double>(target), "the target");
+    check_not_too_many(static_cast<double>(target), "the target");
     return static_cast<std::size_t>(target);
   }
 }

@@ -37,7 +37,7 @@ public:
   void add_side(Vertex v, int region) { m_beside[v] = region; }
 
   // By edges along which the front marches, over vertices that it `may_pass`, to one that it `arrives` at. Where
-  // another front shares the top, on the side of this one: over vertices beside the front, and their neighbors.
+  // another front shares the top, from it to vertices beside this front only, and further by edges of the mesh.
   template <class MayPass, class Arrives>
   bool ends_within(double distance, Vertex top, int region, bool is_one_sided, const MayPass& may_pass,
                    const Arrives& arrives)

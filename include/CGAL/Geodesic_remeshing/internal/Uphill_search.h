@@ -31,7 +31,7 @@ class Uphill_search
 public:
   Uphill_search(const Mesh& mesh, const Vertex_order& order, const Fronts& fronts)
     : m_mesh(mesh), m_metric(mesh), m_order(order), m_fronts(fronts), m_length(mesh.number_of_vertices(), infinity),
-      m_from(mesh.number_of_vertices())
+      m_from(mesh.number_of_vertices()), m_is_barred(mesh.number_of_vertices(), 0)
   {}
 
   // Goes over free vertices from a neighbour of the saddle until `is_found(v)`.
@@ -66,15 +66,13 @@ public:
     using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     const auto relax = [&](Vertex from, Vertex to, double length) {
-      if(m_order.rank[to] <= m_order.rank[saddle] || m_length[to] <= length)
+      if(m_order.rank[to] <= m_order.rank[saddle] || m_length[to] <= length || m_is_barred[to])
         return;
-      for(const auto& way : other_ways)
-        if(std::find(way.begin(), way.end(), to) != way.end() && !m_fronts.is_taken(to))
-          return;
       touch(to, length);
       m_from[to] = from;
       queue.emplace(length, to);
     };
+    bar(other_ways, 1);
     for(Vertex v : arc)
       relax(saddle, v, m_metric.length(saddle, v));
     std::vector<Vertex> way;
@@ -92,11 +90,20 @@ public:
           relax(top.second, m_mesh.source(h), top.first + m_metric.length(h));
     }
     std::reverse(way.begin(), way.end());
+    bar(other_ways, 0);
     forget();
     return way;
   }
 
 private:
+  // Ways may end at the same vertex of a front, but not cross before.
+  void bar(const std::vector<std::vector<Vertex>>& ways, const char value)
+  {
+    for(const std::vector<Vertex>& way : ways)
+      for(Vertex v : way)
+        m_is_barred[v] = value && !m_fronts.is_taken(v);
+  }
+
   void touch(Vertex v, double length)
   {
     m_length[v] = length;
@@ -116,6 +123,7 @@ private:
   const Fronts& m_fronts;
   std::vector<double> m_length; // only what a search touched is reset after it
   std::vector<Vertex> m_from, m_touched;
+  std::vector<char> m_is_barred;
 };
 
 } // namespace internal

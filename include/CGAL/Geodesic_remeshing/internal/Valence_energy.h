@@ -63,7 +63,7 @@ private:
   const Lean_triangulation& m_table;
   const bool m_has_lines;
   bool m_do_numbers_count = false;
-  std::vector<Index> m_first_sector; // of a vertex: the first of its entries in `regular_faces_`, or `none`
+  std::vector<Index> m_first_sector; // of a vertex: the first of its entries in `m_regular_faces`, or `none`
   std::vector<int> m_regular_faces;  // a sector, counterclockwise from the vertex' first halfedge
 };
 

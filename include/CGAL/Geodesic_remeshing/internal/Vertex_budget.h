@@ -114,7 +114,7 @@ struct Vertex_budget
 
 // What is needed are bounds from below: a number that can be reached is named with them. Of a hundred models all did
 // with three times as many, and those in very many parts with `enough` for their topology.
-inline void check_number_of_vertices(std::size_t number, std::size_t topology, std::size_t enough, std::size_t lines)
+inline void check_not_too_few(std::size_t number, std::size_t topology, std::size_t enough, std::size_t lines)
 {
   const auto reject_number = [&](std::size_t needed, const std::string& what) {
     if(number < needed)
@@ -155,13 +155,15 @@ inline Vertex_budget make_budget(const Any_target& target, const Working_surface
   double spacing = edge_length_for(sum_over(extents, [](const Extent& e) { return e.area; }), number);
   const Number_of_faces* const faces = std::get_if<Number_of_faces>(&target);
   if(std::holds_alternative<Edge_length>(target))
-    number = (std::max)(
-        fewest,
-        static_cast<std::size_t>(std::llround((std::max)(
-            0., lines.surplus(spacing) + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); })))));
+  {
+    const double all =
+        lines.surplus(spacing) + sum_of_wanted(extents, [&](const Extent& e) { return e.wanted(spacing); });
+    check_not_too_many(all, "the edge length is too small: it");
+    number = (std::max)(fewest, static_cast<std::size_t>(std::llround((std::max)(0., all))));
+  }
   else if(faces != nullptr)
     number += (faces->value + lines.edges_on_boundary(spacing)) / 2 - faces->value / 2; // F = 2 V - 2 chi - B
-  check_number_of_vertices(number, fewest, enough, lines.fewest());
+  check_not_too_few(number, fewest, enough, lines.fewest());
   const std::size_t even = lines.is_uneven() ? number_if_even(extents, lines, number) : number;
   const double edge_length = edge_length_for(extents, even, wanted);
   if(faces == nullptr)

@@ -33,7 +33,8 @@ class Vertex_count
 public:
   using Index = Lean_triangulation::Index;
 
-  // No change leaves an angle smaller than `least_angle`, unless nothing else is left: then it may be 10.
+  // No change leaves an angle smaller than `least_angle`, nor than the smallest that was there before; where nothing
+  // else is left it may be 10.
   Vertex_count(Remeshed_surface& remeshed, const double edge_length, const double least_angle = 10.)
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_edge_length(edge_length), m_least_angle(least_angle)
   {}
@@ -205,9 +206,9 @@ inline double Vertex_count::worst_around(const std::array<Index, 4>& vertices) c
   return worst;
 }
 
-// Relaxes the vertices whose valence has changed; refuses what leaves a face turned or worse than the rounds to come
-// mend: of little help is that to the vertices of lines, which cannot give way. But where it was as bad before, as
-// between lines nearer to each other than the edges are long, nothing is lost.
+// Relaxes the vertices whose valence has changed; refuses what leaves a face worse than the rounds to come mend. Where
+// one was as bad before, as between lines nearer to each other than the edges are long, nothing is lost; but of a line,
+// whose vertices cannot give way, that is refused as well.
 inline bool Vertex_count::settle(const std::array<Index, 4>& changed, const double before, const bool is_line)
 {
   const double angle =

@@ -96,10 +96,9 @@ inline Vertex_order order_vertices(const Mesh& mesh, const std::vector<double>& 
             [&](Vertex a, Vertex b) { return distance[a] < distance[b] || (!(distance[b] < distance[a]) && a < b); });
   for(std::size_t i = 0; i < order.ascending.size(); ++i)
     order.rank[order.ascending[i]] = static_cast<std::uint32_t>(i);
-  std::size_t minima = 0;
-  for(Vertex v : vertices)
-    minima += !has_lower_neighbour(mesh, order.rank, v);
-  if(minima != roots.size())
+  const auto is_minimum = [&](Vertex v) { return !has_lower_neighbour(mesh, order.rank, v); };
+  const auto minima = std::count_if(vertices.begin(), vertices.end(), is_minimum);
+  if(static_cast<std::size_t>(minima) != roots.size() || !std::all_of(roots.begin(), roots.end(), is_minimum))
     flood_from(roots, mesh, order);
   return order;
 }

@@ -86,13 +86,15 @@ private:
 
   double distance_of(const Line_piece& piece, const Edge_tree& tree) const
   {
-    constexpr int parts = 4; // of an edge
+    constexpr double fewest = 4., most = 1e6; // parts of an edge
     double largest = 0.;
     for(const Halfedge h : piece.halfedges)
     {
       const Point &p = m_input.point(m_input.source(h)), &q = m_input.point(m_input.target(h));
-      for(int i = 0; i <= parts; ++i)
-        largest = (std::max)(largest, tree.squared_distance(p + (i / double(parts)) * (q - p)));
+      const double edges = std::sqrt(CGAL::squared_distance(p, q)) / m_edge_length; // of the output
+      const double parts = (std::max)(fewest, (std::min)(std::ceil(4. * edges), most));
+      for(double i = 0.; i <= parts; ++i)
+        largest = (std::max)(largest, tree.squared_distance(p + (i / parts) * (q - p)));
     }
     return std::sqrt(largest);
   }

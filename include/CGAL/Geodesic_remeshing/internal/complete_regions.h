@@ -14,6 +14,8 @@
 #include <CGAL/Geodesic_remeshing/internal/Vertex_order.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -45,21 +47,26 @@ inline bool copy_neighbour(const Mesh& mesh, Vertex v, Segmentation& segmentatio
   return false;
 }
 
-// A vertex that no march has reached, shut in by others, is as its neighbours are.
+// Vertices that no march has reached, shut in by others, are as their neighbours are, from these inwards.
 inline void complete_regions(const Mesh& mesh, const Vertex_order& order, Segmentation& segmentation)
 {
   std::vector<Vertex> left;
   for(Vertex v : mesh.vertices())
     if(order.rank[v] != Vertex_order::none && !has_region(segmentation, v))
       left.push_back(v);
-  for(std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
+  for(std::size_t i = 0; i < left.size(); ++i)
   {
-    before = left.size();
-    left.erase(
-        std::remove_if(left.begin(), left.end(), [&](Vertex v) { return copy_neighbour(mesh, v, segmentation); }),
-        left.end());
+    const Vertex v = left[i];
+    if(has_region(segmentation, v) || !copy_neighbour(mesh, v, segmentation))
+      continue;
+    for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+    {
+      const Vertex w = mesh.source(h); // which was passed by if it came before
+      if(order.rank[w] != Vertex_order::none && !has_region(segmentation, w))
+        left.push_back(w);
+    }
   }
-  CGAL_postcondition(left.empty());
+  CGAL_postcondition(std::all_of(left.begin(), left.end(), [&](Vertex v) { return has_region(segmentation, v); }));
 }
 
 } // namespace internal

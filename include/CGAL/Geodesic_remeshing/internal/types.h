@@ -34,6 +34,12 @@ using Face = Mesh::Face_index;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Fourth powers of lengths, which the predicates compare, must neither vanish nor overflow.
+inline bool is_scale_computable(const double length)
+{
+  return length > 1e-70 && length < 1e70;
+}
+
 // A point of a surface: a face and the barycentric coordinates of source(h), target(h) and target(next(h)), where
 // h = halfedge(face), all three non-negative, adding up to one. The same convention as PMP's `Face_location`.
 struct Place
