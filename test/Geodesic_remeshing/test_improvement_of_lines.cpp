@@ -450,7 +450,8 @@ TEST(Angle_relaxation, with_lines_only_what_is_flat_or_straight_moves)
     const Point &p = start.mesh.point(Vertex(v)), &q = remeshed.spot(v).point;
     slid += remeshed.is_on_line(v) && p != q;
     EXPECT_EQ(remeshed.is_on_line(v), is_on_line(surface, constraints, remeshed.spot(v).place));
-    EXPECT_TRUE(p == q || (!is_bent(v) && !remeshed.is_fixed(v)));
+    const bool is_at_end = p.x() > 23.5; // where the faces beside the line are in a plane as well
+    EXPECT_TRUE(p == q || ((is_at_end || !is_bent(v)) && !remeshed.is_fixed(v)));
   }
-  EXPECT_GT(slid, 10u); // of the 12 + 15 + 12 on the sides of the flat part
+  EXPECT_GT(slid, 20u); // of 12 + 15 + 12 on the sides of the flat part, and 15 at the end
 }

@@ -172,7 +172,7 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, np, input);
   const double edge_length = curve_distance / std::sqrt(.75);
-  check_number_of_vertices(number_for_length(area(input.mesh), edge_length), "the curve distance is too small: it");
+  check_not_too_many(number_for_length(area(input.mesh), edge_length), "the curve distance is too small: it");
   check_resolution(input.mesh, edge_length);
   const Constraints boundary = find_boundary(input.mesh, edge_length);
   Working_surface working;

@@ -30,15 +30,11 @@ inline double badness_of_angle(const double degrees)
   return CGAL::square(1. / std::tan(degrees * (CGAL_PI / 180.)));
 }
 
-// That of two sets of triangles together, in whatever order. The worse of sets is that with more turned triangles, then
-// that with the smaller angle.
+// The worse of two sets of triangles is that with more turned ones; of sets with none it is that with the smaller
+// angle.
 inline double add_badness(const double x, const double y)
 {
-  if(x < turned_badness && y < turned_badness)
-    return (std::max)(x, y);
-  const double turned_in_x = turned_badness * std::floor(x / turned_badness);
-  const double turned_in_y = turned_badness * std::floor(y / turned_badness);
-  return turned_in_x + turned_in_y + (std::max)(x - turned_in_x, y - turned_in_y);
+  return y >= turned_badness ? x + y : (std::max)(x, y);
 }
 
 // The smallest angle is opposite the shortest edge; the scalar product of the edges there is (sum of squares)/2 -
