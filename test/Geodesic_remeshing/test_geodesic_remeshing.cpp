@@ -223,8 +223,11 @@ TEST(Meshes, in_place)
   geodesic_remeshing(mesh, 700);
   EXPECT_FALSE(mesh.has_garbage());
   EXPECT_TRUE(support::is_same_mesh(mesh, output));
+  EXPECT_TRUE(mesh.does_recycle_garbage());
+  mesh.set_recycle_garbage(false);
   geodesic_remeshing(mesh, 300, gp::number_of_iterations(1u));
   expect_remeshing_of(input, mesh, 300);
+  EXPECT_FALSE(mesh.does_recycle_garbage());
 }
 
 TEST(Meshes, output_is_cleared_first)

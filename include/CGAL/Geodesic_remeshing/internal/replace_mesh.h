@@ -72,6 +72,7 @@ Old_elements<Surface_mesh<P>> make_room(const Mesh& mesh, Surface_mesh<P>& out)
   using Size = typename Surface_mesh<P>::size_type;
   out.reserve(static_cast<Size>(mesh.number_of_vertices()), static_cast<Size>(mesh.number_of_edges()),
               static_cast<Size>(mesh.number_of_faces()));
+  const bool does_recycle = out.does_recycle_garbage();
   out.set_recycle_garbage(true);
   while(out.number_of_removed_vertices() > 0) // nothing may be left in the lists of removed elements
     out.add_vertex();
@@ -80,6 +81,7 @@ Old_elements<Surface_mesh<P>> make_room(const Mesh& mesh, Surface_mesh<P>& out)
   while(out.number_of_removed_faces() > 0)
     out.add_face();
   out.resize(0, 0, 0);
+  out.set_recycle_garbage(does_recycle);
   return {};
 }
 
