@@ -32,10 +32,31 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   endif()
 endif()
 
-# The stages, which most programs call in the same way: those that link this library do not compile them again.
+# The stages, which most programs call in the same way: those that link this library do not compile them again. Several threads where
+# TBB is, in all of these programs, since one that is compiled otherwise would have other stages.
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
 set(stages_folder ${CMAKE_CURRENT_SOURCE_DIR}/test/Geodesic_remeshing/compiled_stages)
 add_library(geodesic_remeshing_compiled_stages OBJECT EXCLUDE_FROM_ALL ${stages_folder}/compiled_stages.cpp)
-target_link_libraries(geodesic_remeshing_compiled_stages PUBLIC geodesic_remeshing_developer)
+target_link_libraries(geodesic_remeshing_compiled_stages PUBLIC geodesic_remeshing_developer $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
 target_include_directories(geodesic_remeshing_compiled_stages PUBLIC ${stages_folder})
-target_compile_options(geodesic_remeshing_compiled_stages PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O2>)
 set(geodesic_remeshing_use_compiled_stages "$<$<CXX_COMPILER_ID:GNU,Clang>:SHELL:-include compiled_stages.h>")
+
+# What else tests and examples have in common: the headers that all include, precompiled, and -O1. Optimising their own code would
+# take longer than they run; the stages, where they spend their time, are compiled as the program is.
+if(GEODESIC_REMESHING_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+  set(geodesic_remeshing_quick "$<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>")
+  add_library(geodesic_remeshing_precompiled OBJECT EXCLUDE_FROM_ALL ${stages_folder}/precompiled.cpp)
+  target_link_libraries(geodesic_remeshing_precompiled PRIVATE geodesic_remeshing_compiled_stages GTest::gtest)
+  target_compile_options(geodesic_remeshing_precompiled PRIVATE ${geodesic_remeshing_quick})
+  target_precompile_headers(geodesic_remeshing_precompiled PRIVATE
+    <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Surface_mesh.h> <gtest/gtest.h> <compiled_stages.h>)
+endif()
+
+# geodesic_remeshing_compile_quickly(target): a test or an example
+function(geodesic_remeshing_compile_quickly target)
+  target_link_libraries(${target} PRIVATE geodesic_remeshing_compiled_stages GTest::gtest) # as the header is compiled
+  target_compile_options(${target} PRIVATE ${geodesic_remeshing_quick})
+  target_precompile_headers(${target} REUSE_FROM geodesic_remeshing_precompiled)
+endfunction()
