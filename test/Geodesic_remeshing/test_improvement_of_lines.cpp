@@ -455,3 +455,30 @@ TEST(Angle_relaxation, with_lines_only_what_is_flat_or_straight_moves)
   }
   EXPECT_GT(slid, 20u); // of 12 + 15 + 12 on the sides of the flat part, and 15 at the end
 }
+
+// A weight of the mean deviation of a face: slots of removed faces are none.
+TEST(Deviation_relaxation, empty_slots_change_nothing)
+{
+  const Mesh surface =
+      grid(24, 16, false, false, [](const double i, const double j) { return Point(i, j, .05 * i * i); });
+  const Constraints constraints = constraints_of(surface);
+  Start start;
+  spoil(surface, .2, start, constraints);
+  const Surface_walker walker(surface, constraints);
+  const auto points_after_run = [&](const Index number_of_slots) {
+    Remeshed_surface remeshed(walker, constraints, start.mesh, start.place, start.pinned, start.constrained);
+    const Nearest_vertices nearest(remeshed);
+    remeshed.reserve_free(number_of_slots);
+    Deviation_relaxation(remeshed, nearest, badness_of_angle(40.)).run(.1, 1e-6, {.15, .06});
+    std::vector<Point> points;
+    for(const Vertex v : start.mesh.vertices())
+      points.push_back(remeshed.spot(static_cast<Index>(v)).point);
+    return points;
+  };
+  const std::vector<Point> points = points_after_run(0);
+  std::size_t moved = 0;
+  for(const Vertex v : start.mesh.vertices())
+    moved += points[v] != start.mesh.point(v);
+  EXPECT_GT(moved, 50u);
+  EXPECT_EQ(points, points_after_run(1000));
+}

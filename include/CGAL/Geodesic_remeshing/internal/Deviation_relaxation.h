@@ -140,7 +140,8 @@ inline void Deviation_relaxation::run(const double worth, const double least, co
                area = std::accumulate(areas.begin(), areas.end(), 0.);
   if(!(sum > area * CGAL::square(least)) || !std::isfinite(sum))
     return;
-  m_worth = worth * static_cast<double>(areas.size()) / sum;
+  const auto number_of_faces = std::count_if(areas.begin(), areas.end(), [](const double x) { return x > 0.; });
+  m_worth = worth * static_cast<double>(number_of_faces) / sum; // slots of removed faces count for nothing
   for(const double part : parts)
     for_each_ring(m_remeshed, [&](const Index v, const Vertex_ring& ring) {
       if(!m_remeshed.is_on_line(v))
