@@ -363,7 +363,7 @@ TEST(Geodesic_distances_from_curve, around_the_apex_of_very_many_faces)
   const Distances distance = add_distances(mesh);
   GR::geodesic_distances_from_curve(mesh, distance, curve);
   for(Vertex v : mesh.vertices())
-    EXPECT_NEAR(distance[v], .5, 1e-9);
+    EXPECT_NEAR(distance[v], .5, 1e-8); // at the apex .5 * cos(pi / n)
 }
 
 TEST(Geodesic_distances_from_curve, open_curve_ends_as_a_point)
