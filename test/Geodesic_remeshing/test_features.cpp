@@ -319,6 +319,25 @@ TEST(Long_creases, of_few_faces_are_lines_without_the_parameter)
   EXPECT_TRUE(Result(made::box(4, 4, 4), 300, parameters::default_values()).lines().empty()) << "short edges";
 }
 
+// The edge of two planes divided differently on both sides: between them are two faces that have nothing but their
+// longest side and no normal.
+TEST(Features, crease_between_faces_without_area)
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Point(0., 0., 0.)), b = mesh.add_vertex(Point(3., 0., 0.)),
+             m = mesh.add_vertex(Point(1., 0., 0.)), n = mesh.add_vertex(Point(2., 0., 0.)),
+             p = mesh.add_vertex(Point(1.5, 2., 0.)), q = mesh.add_vertex(Point(1.5, 0., 2.));
+  mesh.add_face(a, m, p);
+  mesh.add_face(m, b, p);
+  mesh.add_face(a, b, m);
+  mesh.add_face(b, a, n);
+  mesh.add_face(n, a, q);
+  mesh.add_face(b, n, q);
+  ASSERT_EQ(mesh.number_of_faces(), 6u);
+  const std::vector<char> sharp = GR::internal::find_sharp_edges(mesh, 60.);
+  EXPECT_EQ(std::count(sharp.begin(), sharp.end(), 1), 1); // the longest side
+}
+
 // No line there would end but in the surface, or leave room for the angles of its neighbours.
 TEST(Long_creases, that_dangle_or_are_near_to_others_are_none)
 {

@@ -4,6 +4,8 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Downhill_search.h>
 #include <CGAL/Geodesic_remeshing/internal/Fit_cost.h>
+#include <CGAL/Geodesic_remeshing/internal/nearest_in_triangle.h>
+#include <CGAL/Geodesic_remeshing/internal/squared_distance_to_segment.h>
 #include <CGAL/Geodesic_remeshing/is_valid_remeshing.h>
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits_3.h>
@@ -11,11 +13,13 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/Random.h>
 #include <CGAL/geodesic_remeshing.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -97,6 +101,27 @@ TEST(Nearest_in_triangle, is_that_of_the_kernel)
         EXPECT_NEAR(CGAL::squared_distance(p, foot), nearest.squared_distance, 1e-12);
         EXPECT_GE((std::min)({x[0], x[1], x[2]}), 0.);
       }
+}
+
+// Of triangles without area, an edge without length among them, it is that of the sides.
+TEST(Nearest_in_triangle, without_area)
+{
+  using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
+  CGAL::Random random(7);
+  const auto number = [&] { return random.get_double(-1., 1.); };
+  for(int i = 0; i < 100000; ++i)
+  {
+    const Point a(number(), number(), number()), p(number(), number(), number());
+    const Vector way(number(), number(), number());
+    const std::array<double, 3> at = {{0., i % 3 == 0 ? 0. : number(), number()}};
+    std::array<Point, 3> t = {{a, a + at[1] * way, a + at[2] * way}};
+    std::rotate(t.begin(), t.begin() + i % 7 % 3, t.end());
+    const auto nearest = GR::internal::nearest_in_triangle(p, t[0], t[1], t[2]);
+    double least = 1e9;
+    for(int k = 0; k < 3; ++k)
+      least = (std::min)(least, GR::internal::squared_distance_to_segment(p, t[k], t[(k + 1) % 3]));
+    ASSERT_NEAR(std::sqrt(nearest.squared_distance), std::sqrt(least), 1e-6) << i;
+  }
 }
 
 TEST(Downhill_search, finds_the_nearest_face_of_a_sphere_from_any_face_on_its_side)

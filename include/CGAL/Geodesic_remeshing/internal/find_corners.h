@@ -109,7 +109,7 @@ private:
       const double way = std::abs(m_position[j] - m_position[i]), length = m_position.back();
       if((forward == (j > i) ? way : length - way) >= m_long_edge)
         return true;
-      if(turn_at(j, 0.) >= straight)
+      if(m_points[j] != m_points[i] && turn_at(j, 0.) >= straight) // but not that of a point that is there twice
         return false;
     }
     return true;
@@ -127,7 +127,7 @@ private:
         const double way = std::abs(m_position[j] - m_position[i]);
         if(!((forward == (j > i) ? way : length - way) < radius))
           break;
-        if(turn_at(j, 0.) > limit)
+        if(m_points[j] != m_points[i] && turn_at(j, 0.) > limit)
           return false;
       }
     return true;

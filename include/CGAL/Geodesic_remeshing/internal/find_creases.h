@@ -21,13 +21,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Gives these faces the normals of those across their longest sides, or of the ones beyond.
+// Gives these faces the normals of those across their longest sides, or of the ones beyond; where such ways lead in
+// circles, as between two faces with the same longest side, of any neighbours that have one.
 inline void borrow_normals(const Mesh& mesh, const Metric& metric, const std::vector<Face>& flat,
                            std::vector<Vector>& normal)
 {
@@ -54,6 +56,26 @@ inline void borrow_normals(const Mesh& mesh, const Metric& metric, const std::ve
       for(const Face g : way)
         normal[g] = normal[f];
   }
+  std::vector<Face> lenders;
+  const auto for_each_neighbor = [&](const Face f, const auto& visit) {
+    for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      if(!mesh.is_border(mesh.opposite(h)))
+        visit(mesh.face(mesh.opposite(h)));
+  };
+  for(const Face f : flat)
+    if(normal[f] == NULL_VECTOR)
+      for_each_neighbor(f, [&](const Face g) {
+        if(normal[g] != NULL_VECTOR)
+          lenders.push_back(g);
+      });
+  for(std::size_t i = 0; i < lenders.size(); ++i)
+    for_each_neighbor(lenders[i], [&](const Face g) {
+      if(normal[g] == NULL_VECTOR)
+      {
+        normal[g] = normal[lenders[i]];
+        lenders.push_back(g);
+      }
+    });
 }
 
 // Normals of the faces. A face without area, but for the seven digits that files have, has that of the neighbour across

@@ -14,6 +14,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -28,6 +29,21 @@ struct Nearest_in_triangle
   double squared_distance;
 };
 
+// Of a triangle without area
+inline std::array<double, 3> nearest_on_sides(const Vector& ab, const Vector& ac, const Vector& ap)
+{
+  const auto part = [](const Vector& way, const Vector& side) {
+    const double length = side * side;
+    return length > 0. ? (std::max)(0., (std::min)(1., way * side / length)) : 0.;
+  };
+  const double on_ab = part(ap, ab), on_ac = part(ap, ac), on_bc = part(ap - ab, ac - ab);
+  const std::array<std::array<double, 3>, 3> points = {
+      {{{1. - on_ab, on_ab, 0.}}, {{1. - on_ac, 0., on_ac}}, {{0., 1. - on_bc, on_bc}}}};
+  const auto distance = [&](const std::array<double, 3>& c) { return (ap - c[1] * ab - c[2] * ac).squared_length(); };
+  return *std::min_element(points.begin(), points.end(),
+                           [&](const auto& c, const auto& d) { return distance(c) < distance(d); });
+}
+
 // By the regions of the corners, of the edges and of the inside in which the point can be.
 inline std::array<double, 3> nearest_coordinates(const Vector& ab, const Vector& ac, const Vector& ap)
 {
@@ -39,7 +55,7 @@ inline std::array<double, 3> nearest_coordinates(const Vector& ab, const Vector&
   if(d3 >= 0. && d4 <= d3)
     return {{0., 1., 0.}};
   const double vc = d1 * d4 - d3 * d2;
-  if(vc <= 0. && d1 >= 0. && d3 <= 0.)
+  if(bb > 0. && vc <= 0. && d1 >= 0. && d3 <= 0.)
     return {{1. - d1 / (d1 - d3), d1 / (d1 - d3), 0.}};
   const double d5 = d1 - bc, d6 = d2 - cc;
   if(d6 >= 0. && d5 <= d6)
@@ -53,7 +69,9 @@ inline std::array<double, 3> nearest_coordinates(const Vector& ab, const Vector&
     const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
     return {{0., 1. - t, t}};
   }
-  const double sum = va + vb + vc;
+  const double sum = va + vb + vc; // the square of twice the area
+  if(!(sum > 1e-14 * bb * cc))     // which is rounding, and so is what tells the inside
+    return nearest_on_sides(ab, ac, ap);
   return {{va / sum, vb / sum, vc / sum}};
 }
 
