@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// Of a point from the triangles around v. No more than something below the limit where it is below the limit.
+// Of a point from the triangles around v; where that is below the limit some value below it, perhaps not the least.
 inline double squared_distance_to_ring(const Remeshed_surface& remeshed, const Point& p,
                                        const Lean_triangulation::Index v, const double limit)
 {

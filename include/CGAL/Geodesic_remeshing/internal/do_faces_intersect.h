@@ -92,8 +92,8 @@ inline bool are_apart_at_corner(const Remeshed_surface& remeshed, const Lean_tri
   return (std::max)(a * way, b * way) < -far && (std::min)(c * way, d * way) > far;
 }
 
-// Whether two faces have more in common than their vertices. Two that share an edge do so only if one lies on the
-// other, which is a turned face.
+// Whether two faces have more in common than their vertices. Not asked of two that share an edge: if one lies on the
+// other it is a turned face, which `find_turned_faces()` finds.
 inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_triangulation::Index f,
                                const Lean_triangulation::Index g)
 {

@@ -205,7 +205,7 @@ inline void relax_angles(Remeshed_surface& remeshed, const std::vector<Quadric>&
     relax_angles(remeshed, planes, good, part, on_lines);
 }
 
-// Returns the conflicts that are left.
+// Returns the conflicts that are worth another attempt: none also where they are too many, or the input's own.
 template <class Progress>
 Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
@@ -274,7 +274,7 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
 // `go_on(progress)`, progress from 0 to 1, stops the work by returning false; then, as at the end, `out` is a valid
 // mesh, but its number of vertices may be another one, as it is where the topology does not allow the one asked for.
 // Without iterations only the number of vertices is set, to show what the stages before made. Returns where faces that
-// intersect or are turned over are left.
+// intersect or are turned over are left, if another attempt is worth it.
 template <class Progress>
 std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
                                     Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,

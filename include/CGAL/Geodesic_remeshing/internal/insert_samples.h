@@ -32,7 +32,8 @@ public:
     : m_surface(surface), m_working(working), m_mesh(working.mesh), m_input_metric(surface), m_squared_snap(snap * snap)
   {}
 
-  // The vertices of the samples, in their order; an invalid one where two samples coincide.
+  // The vertices of the samples, in their order; an invalid one where two samples coincide, or one that is not on a
+  // line lies at one.
   std::vector<Vertex> run(const std::vector<Sample>& samples)
   {
     m_is_sample.assign(m_mesh.number_of_vertices(), 0);
