@@ -55,11 +55,14 @@ private:
   void update_box(Index f);
   std::size_t intersections(Index f, std::size_t limit) const;
   std::size_t intersections_of_ring(Index v, std::size_t limit) const;
+  void list_intersections(Index v);
+  bool are_all_left() const;
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
   std::vector<Index> m_zone;             // the faces around the pair
   std::vector<Face_box> m_boxes;         // of them
+  std::vector<Pair> m_known;             // faces at the vertex that is moved, and those of the zone that they intersect
   std::vector<Index> m_changed;          // vertices at which something may have changed in the last run
   std::vector<unsigned char> m_failures; // times that moving a vertex did not help in this run
   double m_mendable = 0.;
@@ -110,6 +113,24 @@ inline std::size_t Intersection_repair::intersections_of_ring(const Index v, con
   return number;
 }
 
+inline void Intersection_repair::list_intersections(const Index v)
+{
+  m_known.clear();
+  m_table.for_each_outgoing(v, [&](const Index h) {
+    const Index f = Lean_triangulation::face(h);
+    const Face_box box = box_of(m_remeshed, f);
+    for(std::size_t i = 0; i < m_zone.size(); ++i)
+      if(f != m_zone[i] && do_overlap(box, m_boxes[i]) && do_faces_intersect(m_remeshed, f, m_zone[i]))
+        m_known.emplace_back(f, m_zone[i]);
+  });
+}
+
+inline bool Intersection_repair::are_all_left() const
+{
+  return std::all_of(m_known.begin(), m_known.end(),
+                     [&](const Pair& faces) { return do_faces_intersect(m_remeshed, faces.first, faces.second); });
+}
+
 // Takes the first step along an edge, forth or back, that leaves fewer intersections and good angles, until none are
 // left.
 inline void Intersection_repair::move_apart(const Index v)
@@ -118,22 +139,23 @@ inline void Intersection_repair::move_apart(const Index v)
   constexpr unsigned char last_failure = 3; // where much intersects a vertex belongs to many pairs
   if(m_remeshed.is_fixed(v) || m_failures[v] == last_failure)
     return;
-  std::size_t number = intersections_of_ring(v, unlimited);
-  const std::size_t before = number;
+  list_intersections(v);
+  const std::size_t before = m_known.size();
   const double limit = (std::max)(m_mendable, m_remeshed.ring_badness(v));
   for(const double step : steps)
     m_table.for_each_neighbor(v, [&](const Index w) {
-      if(number == 0)
+      if(m_known.empty())
         return;
       const Remeshed_surface::Spot old = m_remeshed.spot(v);
       put(v, m_remeshed.spot_after(v, step * (m_remeshed.spot(w).point - old.point)));
-      const std::size_t left = m_remeshed.ring_badness(v) <= limit ? intersections_of_ring(v, number) : number;
-      if(left < number)
-        number = left;
+      // most steps leave what there was, which is quickly seen
+      if(m_remeshed.ring_badness(v) <= limit && !are_all_left() &&
+         intersections_of_ring(v, m_known.size()) < m_known.size())
+        list_intersections(v);
       else
         put(v, old);
     });
-  if(number == before)
+  if(m_known.size() == before)
     ++m_failures[v];
 }
 
