@@ -200,7 +200,7 @@ namespace CGAL {
  *                           as a whole is as near to the surface as its number of vertices and angles of 30 degrees
  *                           allow, in both directions: its largest distance is about a third and its RMS distance
  *                           half of those of a mesh with its vertices on the surface. Those on lines stay on their
- * lines, corners stay where they are.}
+ *                           lines, corners stay where they are.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by
@@ -276,8 +276,9 @@ namespace CGAL {
  * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, an edge without faces, a
  * vertex where fans of faces touch or a coordinate that is not finite, if the target is not positive or asks for more
  * than 500,000,000 vertices, if `number_of_iterations` is negative, if the sizing field gives a vertex a length that is
- * not positive and finite, or if `gradation` is not positive or `minimum_length` above `maximum_length`; the message
- * says which vertex or face
+ * not positive and finite or has a `nearness()` below 0 or above 10, if `gradation` or `maximum_length` is not
+ * positive, `minimum_length` negative, infinite or above `maximum_length`, or if the surface has no area or edges would
+ * be shorter than 1e-70 or longer than 1e70; the message says which vertex or face
  * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more
  * vertices, if `minimum_length` and `maximum_length` exclude the number asked for (the message says which numbers they
  * allow), if edges would not be longer than sixteen times the rounding of the largest coordinate, or if the visitor

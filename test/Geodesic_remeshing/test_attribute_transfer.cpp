@@ -91,6 +91,26 @@ TEST_F(Attribute_transfer, linear_functions_are_exact)
   }
 }
 
+TEST_F(Attribute_transfer, locations_may_have_numbers_of_any_type)
+{
+  using Float_location = PMP::Face_location<Mesh, float>;
+  auto inexact = output.add_property_map<Vertex, Float_location>("v:inexact").first;
+  CGAL::geodesic_remeshing(input, 500, output, gp::number_of_iterations(1), gp::vertex_location_map(inexact));
+  auto height = input.add_property_map<Vertex, double>("v:height").first;
+  auto corner = input.add_property_map<Halfedge, double>("h:height").first;
+  for(Halfedge h : input.halfedges())
+    corner[h] = height[input.target(h)] = input.point(input.target(h)).z();
+  auto carried = output.add_property_map<Vertex, double>("v:height").first;
+  auto carried_at_corner = output.add_property_map<Halfedge, double>("h:height").first;
+  GR::transfer_vertex_property(input, height, output, inexact, carried);
+  GR::transfer_corner_property(input, corner, output, inexact, carried_at_corner);
+  for(Halfedge h : output.halfedges())
+  {
+    EXPECT_NEAR(carried[output.target(h)], output.point(output.target(h)).z(), 1e-6);
+    EXPECT_NEAR(carried_at_corner[h], output.point(output.target(h)).z(), 1e-6);
+  }
+}
+
 TEST_F(Attribute_transfer, colours_are_mixed_and_labels_are_not)
 {
   remesh(gp::number_of_iterations(3));
@@ -188,4 +208,17 @@ TEST(Attribute_transfer_of_boundaries, an_open_surface)
   GR::transfer_corner_property(input, corner, output, locations, carried);
   for(Halfedge h : output.halfedges())
     EXPECT_NEAR(carried[h], output.is_border(h) ? -1. : output.point(output.target(h)).x(), 1e-9);
+}
+
+// Though they convert to numbers, a mean of them would be another one, or none at all.
+TEST(Attribute_transfer_of_labels, enumerators_and_descriptors_are_not_interpolated)
+{
+  enum Material { wood, stone, steel, glass };
+  const std::array<double, 3> at = {{.5, .3, .2}};
+  namespace internal = GR::internal;
+  EXPECT_EQ(internal::interpolate<Material>(wood, glass, glass, at), wood);
+  EXPECT_EQ(internal::interpolate<Face>(Face(10), Face(1000), Face(2000), at), Face(10));
+  const std::array<int, 2> a = {{1, 2}}, b = {{3, 4}}, c = {{5, 6}};
+  EXPECT_EQ((internal::interpolate<std::array<int, 2>>(a, b, c, at)), a);
+  EXPECT_EQ(internal::interpolate<Vector>(Vector(2, 0, 0), Vector(0, 10, 0), Vector(0, 0, 5), at), Vector(1, 3, 1));
 }

@@ -1277,6 +1277,80 @@ TEST(Lines, samples_are_denser_where_gaps_are_narrower_than_edges)
   EXPECT_NEAR(density(.25, 1e-9), 1., 1e-9) << "not enough vertices";
 }
 
+// A ring that is narrow for two fifths of a radian around a place, and four edges long there
+TEST(Lines, narrow_places_of_a_closed_line_may_lie_across_its_start)
+{
+  constexpr double edge_length = .1;
+  const auto added = [&](double place) {
+    constexpr int n = 600;
+    Mesh ring;
+    for(int i = 0; i < n; ++i)
+    {
+      const double t = 2. * CGAL_PI * i / n, away = std::abs(std::remainder(t - place, 2. * CGAL_PI));
+      const double outer = 1. + .25 * edge_length + (std::min)(1., (std::max)(0., 4. * (away - .2)));
+      for(const double radius : {1., outer})
+        ring.add_vertex(Point(radius * std::cos(t), radius * std::sin(t), 0.));
+    }
+    for(int i = 0; i < n; ++i)
+    {
+      const Vertex in(2 * i), out(2 * i + 1), next_in(2 * i == 2 * n - 2 ? 0 : 2 * i + 2),
+          next_out(static_cast<Mesh::size_type>(next_in) + 1);
+      ring.add_face(in, out, next_out);
+      ring.add_face(in, next_out, next_in);
+    }
+    internal::Input_surface<Mesh> input;
+    internal::copy_input(ring, CGAL::parameters::default_values(), input);
+    const Constraints constraints =
+        internal::find_constraints(ring, CGAL::parameters::default_values(), input, edge_length);
+    internal::Working_surface working;
+    internal::make_working_surface(input.mesh, constraints, 1.5 * edge_length, working);
+    std::vector<internal::Line_piece> pieces = internal::trace_lines(working, constraints);
+    internal::Line_densities(working, edge_length, pieces).run(1e9);
+    const internal::Metric metric(working.mesh);
+    double sum = 0.;
+    for(const auto& piece : pieces)
+      sum += (internal::length_of(metric, piece) - internal::even_length_of(metric, piece)) / edge_length;
+    return sum;
+  };
+  EXPECT_GT(added(1.), 2.);
+  for(const double place : {0., .1, -.1, 3.})
+    EXPECT_NEAR(added(place), added(1.), .1) << place;
+}
+
+// A disc whose wavy boundary has 65,536 vertices, thousands between two of the output. That took half a minute when
+// each of them was tried as a place for one of the output.
+TEST(Lines, many_vertices_between_two_of_the_output)
+{
+  Mesh disc;
+  std::vector<Vertex> before;
+  double radius = 1.;
+  for(std::size_t n = 65536; n >= 8; n /= 2)
+  {
+    std::vector<Vertex> ring;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double t = 2. * CGAL_PI * static_cast<double>(i) / static_cast<double>(n);
+      const double r = before.empty() ? 1. + .03 * std::sin(11. * t) : radius;
+      ring.push_back(disc.add_vertex(Point(r * std::cos(t), r * std::sin(t), 0.)));
+    }
+    for(std::size_t i = 0; !before.empty() && i < n; ++i)
+    {
+      const Vertex middle = before[2 * i + 1], next = ring[(i + 1) % n];
+      disc.add_face(before[2 * i], middle, ring[i]);
+      disc.add_face(middle, before[(2 * i + 2) % (2 * n)], next);
+      disc.add_face(middle, next, ring[i]);
+    }
+    radius *= before.empty() ? .9 : .85;
+    before = std::move(ring);
+  }
+  const Vertex center = disc.add_vertex(Point(0, 0, 0));
+  for(std::size_t i = 0; i < before.size(); ++i)
+    disc.add_face(before[i], before[(i + 1) % before.size()], center);
+  Mesh output;
+  CGAL::geodesic_remeshing(disc, 100, output);
+  EXPECT_EQ(output.number_of_vertices(), 100u);
+}
+
 // Lines along both sides of a thin plate's rim
 TEST(Features, gaps_narrower_than_edges_have_good_angles)
 {

@@ -673,3 +673,37 @@ TEST(Fast_marching, a_front_may_start_below_zero)
   for(Vertex v : mesh.vertices())
     EXPECT_NEAR(marching.distance(v), mesh.point(v).y() - 2.5, 1e-9);
 }
+
+// Two cones with the same apex, as CGAL's `is_valid_polygon_mesh()` does not allow
+TEST(Geodesic_distances, closed_fans_that_touch_are_refused)
+{
+  Mesh mesh;
+  const Vertex apex = mesh.add_vertex(Point(0, 0, 0)), other = mesh.add_vertex(Point(0, 0, 0));
+  for(const double z : {1., -1.})
+  {
+    std::array<Vertex, 6> rim;
+    for(std::size_t i = 0; i < 6; ++i)
+      rim[i] = mesh.add_vertex(Point(std::cos(i), z * std::sin(i), z));
+    for(std::size_t i = 0; i < 6; ++i)
+      mesh.add_face(z > 0. ? apex : other, rim[i], rim[(i + 1) % 6]);
+  }
+  auto distance = add_distances(mesh);
+  CGAL::Geodesic_remeshing::geodesic_distances(mesh, distance, apex);
+  EXPECT_EQ(distance[Vertex(9)], infinity);
+  std::vector<Mesh::Halfedge_index> ring(mesh.halfedges_around_target(mesh.halfedge(other)).begin(),
+                                         mesh.halfedges_around_target(mesh.halfedge(other)).end());
+  for(const auto h : ring)
+    mesh.set_target(h, apex);
+  mesh.remove_vertex(other);
+  const auto before = distance[Vertex(9)] = 7.;
+  try
+  {
+    CGAL::Geodesic_remeshing::geodesic_distances(mesh, distance, apex);
+    ADD_FAILURE() << "not refused";
+  }
+  catch(const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("vertex 0 is not manifold"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(distance[Vertex(9)], before);
+}

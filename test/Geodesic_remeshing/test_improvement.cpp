@@ -436,3 +436,27 @@ TEST(Remeshed_surface, new_vertex_is_not_held_by_the_one_before)
   EXPECT_EQ(remeshed.spot(w).point, spots[1].point);
   remeshed.forget();
 }
+
+// Two sheets on each other, which nothing parts: asked again, as many pairs intersect.
+TEST(Intersection_repair, what_is_given_up_is_not_forgotten)
+{
+  Mesh surface = plane(12);
+  const auto vertices = static_cast<Mesh::size_type>(surface.number_of_vertices());
+  for(Mesh::size_type v = 0; v < vertices; ++v)
+    surface.add_vertex(surface.point(Vertex(v)));
+  const auto faces = static_cast<Mesh::size_type>(surface.number_of_faces());
+  for(Mesh::size_type f = 0; f < faces; ++f)
+  {
+    const auto v = vertices_of(surface, Face(f));
+    const auto copy = [&](const int i) { return Vertex(static_cast<Mesh::size_type>(v[i]) + vertices); };
+    surface.add_face(copy(0), copy(1), copy(2));
+  }
+  Start start;
+  spoil(surface, 0., start);
+  const Surface_walker walker(surface);
+  Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained);
+  Intersection_repair repair(remeshed);
+  const std::size_t number = repair.run(badness_of_angle(36.));
+  EXPECT_GT(number, surface.number_of_vertices());
+  EXPECT_EQ(repair.run(badness_of_angle(30.), true), number);
+}

@@ -391,6 +391,29 @@ TEST(Sizing, ratios_of_a_thousand)
   }
 }
 
+// With a number of vertices only the ratios count, so tiny and huge ones serve as well.
+TEST(Sizing, any_scale_gives_the_same)
+{
+  Mesh input = made::sphere(4);
+  const auto remesh = [&](const int exponent) {
+    const auto size = add_sizes(input, [=](const Point& p) { return std::scalbn(2. + p.z(), exponent); });
+    Mesh output;
+    geodesic_remeshing(input, 500, output, gp::sizing_field(size));
+    return output;
+  };
+  const Mesh expected = remesh(0);
+  for(const int exponent : {-600, 600})
+  {
+    const Mesh output = remesh(exponent);
+    for(Vertex v : output.vertices())
+      ASSERT_EQ(output.point(v), expected.point(v)) << exponent;
+  }
+  const auto size = add_sizes(input, [](const Point& p) { return std::pow(10., 250. * p.z()); });
+  expect_refused<GR::Remeshing_error>(
+      [&](Mesh& out) { geodesic_remeshing(input, 500, out, gp::sizing_field(size).gradation(infinity)); },
+      "cannot be scaled to 500 vertices");
+}
+
 TEST(Sizing, large_triangles_with_a_size_only_at_their_corners)
 {
   Mesh input = made::box(1, 1, 1);
@@ -426,6 +449,7 @@ TEST(Sizing, bad_sizes_are_refused_with_their_vertex)
   refuse(np.minimum_length(-1.), "length must be positive");
   refuse(np.maximum_length(0.), "length must be positive");
   refuse(np.minimum_length(2.).maximum_length(1.), "above the largest");
+  refuse(np.minimum_length(infinity), "must be finite");
   expect_refused<GR::Remeshing_error>([&](Mesh& out) { geodesic_remeshing(input, 500, out, np.minimum_length(1.)); },
                                       "no more than about 1");
   expect_refused<GR::Remeshing_error>([&](Mesh& out) { geodesic_remeshing(input, 500, out, np.maximum_length(.01)); },

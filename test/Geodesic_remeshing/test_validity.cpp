@@ -75,6 +75,18 @@ TEST_F(Validity, wrong_number)
   EXPECT_NE(out.str().find("number of vertices    NO  (800)"), std::string::npos);
 }
 
+TEST_F(Validity, vertices_without_faces)
+{
+  for(int i = 0; i < 2; ++i)
+    output.add_vertex(Point(1e6, 0, 0));
+  const auto validity = is_valid_remeshing(input, output, gp::expected_number_of_vertices(800));
+  EXPECT_EQ(faults(validity), "manifold number ");
+  EXPECT_EQ(validity.number_of_vertices, 802u);
+  output.remove_vertex(Vertex(800));
+  output.remove_vertex(Vertex(801));
+  EXPECT_EQ(faults(is_valid_remeshing(input, output, gp::expected_number_of_vertices(800))), "");
+}
+
 TEST_F(Validity, vertex_off_the_surface)
 {
   const Vertex v = *output.vertices().begin();

@@ -28,9 +28,9 @@ namespace Geodesic_remeshing {
  *
  * \brief carries a property of the vertices of the input of a remeshing over to those of its output.
  *
- * Floating-point numbers, points, vectors, colors and arrays of numbers are interpolated over the input face in which
- * the vertex lies; of anything else, as labels and integers, a vertex gets the value of the corner that it is nearest
- * to, by its barycentric coordinates.
+ * Floating-point numbers, points, vectors, colors and arrays of floating-point numbers are interpolated over the input
+ * face in which the vertex lies; of anything else, as labels and integers, a vertex gets the value of the corner that
+ * it is nearest to, by its barycentric coordinates.
  *
  * @tparam TriangleMesh a model of `FaceListGraph`
  * @tparam OutputMesh a model of `VertexListGraph`
@@ -61,7 +61,8 @@ void transfer_vertex_property(const TriangleMesh& tmesh, const InputMap& input_m
     const auto location = get(location_map, v);
     const auto h = halfedge(location.first, tmesh);
     values.push_back(internal::interpolate<Value>(get(input_map, source(h, tmesh)), get(input_map, target(h, tmesh)),
-                                                  get(input_map, target(next(h, tmesh), tmesh)), location.second));
+                                                  get(input_map, target(next(h, tmesh), tmesh)),
+                                                  internal::in_doubles(location.second)));
   }
   auto value = values.begin();
   for(auto v : vertices(remeshed))

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -251,12 +252,13 @@ Remeshing_validity is_valid_remeshing(const TriangleMesh& tmesh, const OutputMes
   {
     return result; // not even a triangle mesh
   }
-  result.is_manifold = true;
+  result.number_of_vertices =
+      static_cast<std::size_t>(std::distance(vertices(remeshed).begin(), vertices(remeshed).end()));
+  result.is_manifold = result.number_of_vertices == output.mesh.number_of_vertices(); // the copy has those with faces
   const Surface_comparison comparison(input.mesh, output.mesh, concurrency_of(np_in));
   result.has_same_components = comparison.input_shape().components == comparison.output_shape().components;
   result.has_same_boundary_loops = comparison.input_shape().boundary_loops == comparison.output_shape().boundary_loops;
   result.has_same_genus = comparison.input_shape().twice_genus() == comparison.output_shape().twice_genus();
-  result.number_of_vertices = output.mesh.number_of_vertices();
   const auto expected = static_cast<std::size_t>(
       choose_parameter(get_parameter(np_in, internal_np::expected_number_of_vertices), result.number_of_vertices));
   result.has_number_of_vertices = expected == result.number_of_vertices;

@@ -152,8 +152,8 @@ inline std::vector<int> regions_of_input_faces(const Mesh& surface, const Workin
  *
  * @return the regions, children before their parents
  * @throws std::invalid_argument if the mesh is empty, has a face that is not a triangle, an edge without faces, a
- * vertex where fans of faces touch or a coordinate that is not finite, if the curve distance is not positive and
- * finite, or so small that a remeshing with it would have more than 500,000,000 vertices
+ * vertex where fans of faces touch or a coordinate that is not finite, if the curve distance is not between 1e-70 and
+ * 1e70, or so small that a remeshing with it would have more than 500,000,000 vertices
  * @throws Remeshing_error if edges for the curve distance are not longer than sixteen times the rounding of the largest
  * coordinate
  *
@@ -168,7 +168,8 @@ region_segmentation(const TriangleMesh& tmesh, double curve_distance, FaceRegion
   check_parameters<NamedParameters, Parameters_of_mesh>();
   if(!(curve_distance > 0.) || !std::isfinite(curve_distance))
     reject("the curve distance must be positive and finite");
-  check_scale(curve_distance);
+  if(!is_scale_computable(curve_distance))
+    reject("the curve distance is too small or too large to compute with");
   Input_surface<TriangleMesh> input;
   copy_input(tmesh, np, input);
   const double edge_length = curve_distance / std::sqrt(.75);

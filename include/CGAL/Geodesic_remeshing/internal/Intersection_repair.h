@@ -45,7 +45,7 @@ private:
 
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-  void mend(const Pair& faces);
+  void mend(const Pair& faces, const std::vector<Index>& corners);
   std::vector<Index> corners_of(const Pair& faces) const;
   void move_apart(Index v);
   void flip_apart(Index h);
@@ -184,11 +184,9 @@ inline void Intersection_repair::flip_apart(const Index h)
   m_remeshed.forget();
 }
 
-inline void Intersection_repair::mend(const Pair& faces)
+inline void Intersection_repair::mend(const Pair& faces, const std::vector<Index>& corners)
 {
   gather(faces);
-  const std::vector<Index> corners = corners_of(faces);
-  m_changed.insert(m_changed.end(), corners.begin(), corners.end());
   const auto are_parted = [&] { return !do_faces_intersect(m_remeshed, faces.first, faces.second); };
   for(const Index v : corners)
   {
@@ -225,18 +223,22 @@ inline std::vector<Intersection_repair::Pair> Intersection_repair::find_pairs() 
 inline std::size_t Intersection_repair::run(const double mendable, const bool do_let_go)
 {
   const std::vector<Pair> pairs = find_pairs();
+  if(pairs.size() > m_table.number_of_vertices()) // sheets of the input lie on each other, which nothing parts
+    return pairs.size();
   m_is_first = false;
   m_changed.clear();
   std::fill(m_failures.begin(), m_failures.end(), static_cast<unsigned char>(0));
   m_mendable = mendable;
-  if(pairs.size() > m_table.number_of_vertices()) // sheets of the input lie on each other, which nothing parts
-    return pairs.size();
   for(const Pair& pair : pairs)
   {
-    for(const Index v : corners_of(pair))
-      if(do_let_go)
+    const std::vector<Index> corners = corners_of(pair);
+    m_changed.insert(m_changed.end(), corners.begin(), corners.end());
+    if(!do_faces_intersect(m_remeshed, pair.first, pair.second)) // any more
+      continue;
+    if(do_let_go)
+      for(const Index v : corners)
         m_remeshed.let_go(v);
-    mend(pair);
+    mend(pair, corners);
   }
   return pairs.size();
 }

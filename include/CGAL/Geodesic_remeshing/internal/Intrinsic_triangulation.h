@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -186,8 +188,9 @@ inline void Intrinsic_triangulation::collect_spokes(const Intrinsic_faces& faces
       Index spoke = collect_fan(faces, v, fans.start[v], m_rings[v].first, spoke_of, ends);
       for(; more != fans.more_starts.end() && more->first == v; ++more)
         spoke = collect_fan(faces, v, more->second, spoke, spoke_of, ends);
-      for(; spoke < m_rings[v + 1].first; ++spoke) // closed fans beside the first are left out: these lead nowhere
-        m_spokes[spoke] = Spoke{infinity, -1., 0., v, fans.start[v]};
+      if(spoke != m_rings[v + 1].first)
+        throw std::invalid_argument("geodesic remeshing: vertex " + std::to_string(v) +
+                                    " is not manifold: faces all around it touch others there");
     }
     return ends;
   };

@@ -121,7 +121,7 @@ public:
   bool is_collapse_legal(Index h) const;
   void collapse(Index h); // target(h) disappears
   // The inverse of a collapse of an inner vertex: the new vertex takes over the faces of v counterclockwise from h1 to
-  // h2, outgoing halfedges of an inner vertex v with at least one halfedge between them; source(h1) and the new vertex
+  // h2, two outgoing halfedges of an inner vertex v, at least one face; source(h1) and the new vertex
   // become neighbours.
   Index split(Index h1, Index h2);
   Index split_edge(Index h); // a new vertex between source(h) and target(h)

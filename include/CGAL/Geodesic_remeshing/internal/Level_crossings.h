@@ -30,7 +30,8 @@ namespace internal {
 //
 // Whether a curve crosses an edge is decided by integers alone: the region and the level of the two ends. Along an edge
 // between two regions, the curves met are those of a walk through the region graph: out of the one region, through the
-// regions between, into the other. So a curve crosses each triangle twice or not at all, and never ends.
+// regions between, into the other. So a curve crosses each triangle twice or not at all, and never ends, but where the
+// walks of two edges lead different ways around a handle smaller than the triangle.
 struct Crossing
 {
   int region, level;
@@ -93,7 +94,7 @@ private:
     for(int k = from < to ? from : from - 1; k != (from < to ? to : to - 1); k += step)
     {
       const double t = (region(r).value(k) - u) / (w - u); // not finite if the ends tie: then the middle
-      out.push_back(Crossing{r, k, t >= 0. && t <= 1. ? t : (t < 0. ? 0. : (t > 1. ? 1. : .5)), step > 0});
+      out.push_back(Crossing{r, k, std::isfinite(t) ? (std::min)(1., (std::max)(0., t)) : .5, step > 0});
     }
   }
 

@@ -78,13 +78,23 @@ private:
   {
     constexpr double shortest = 3.; // edge lengths
     const std::size_t n = densities.size();
-    for(std::size_t begin = 0, end; begin < n; begin = end)
+    const auto is_dense = [&](const std::size_t i) { return densities[i % n] > 1.; };
+    std::size_t first = 0; // of a run; a ring begins anywhere
+    if(piece.is_ring)
+    {
+      while(first < n && is_dense(first) == is_dense(first + n - 1))
+        ++first;
+      if(first == n) // all the way around
+        return;
+    }
+    for(std::size_t begin = first, end; begin < first + n; begin = end)
     {
       double length = 0.;
-      for(end = begin; end < n && (densities[end] > 1.) == (densities[begin] > 1.); ++end)
-        length += m_metric.length(piece.halfedges[end]);
-      if(length < shortest * m_edge_length && !(piece.is_ring && begin == 0 && end == n))
-        std::fill(densities.begin() + begin, densities.begin() + end, 1.);
+      for(end = begin; end < first + n && is_dense(end) == is_dense(begin); ++end)
+        length += m_metric.length(piece.halfedges[end % n]);
+      if(length < shortest * m_edge_length)
+        for(std::size_t i = begin; i < end; ++i)
+          densities[i % n] = 1.;
     }
   }
 
@@ -104,9 +114,11 @@ private:
     for(const std::pair<double, std::size_t>& p : pieces)
     {
       Line_piece& piece = m_pieces[p.second];
-      number += (length_of(m_metric, piece) - even_length_of(m_metric, piece)) / m_edge_length;
-      if(number > most_vertices)
+      const double more = (length_of(m_metric, piece) - even_length_of(m_metric, piece)) / m_edge_length;
+      if(number + more > most_vertices)
         piece.densities.clear();
+      else
+        number += more;
     }
   }
 

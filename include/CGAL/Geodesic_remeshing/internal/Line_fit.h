@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_LINE_FIT_H
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/relaxation.h>
 #include <CGAL/Geodesic_remeshing/internal/squared_distance_to_segment.h>
 
@@ -32,7 +33,7 @@ class Line_fit
 public:
   using Index = Lean_triangulation::Index;
 
-  // Triangles may become as bad as this, or stay as they are; worse where the vertices are at uneven distances.
+  // Triangles may become as bad as this or as the worst around, and worse where the vertices are at uneven distances.
   Line_fit(Remeshed_surface& remeshed, const double edge_length, const double badness)
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_edge_length(edge_length), m_badness(badness)
   {}
@@ -113,14 +114,22 @@ private:
     return false;
   }
 
-  // The vertices of the line, and places between; none near to the neighbours
+  // The vertices of the line, or where they are many some of them, and places between; none near to the neighbours
   template <class Visit>
   void for_each_candidate(const Stretch& s, const Visit& visit) const
   {
     constexpr double least_part = .3;
     constexpr int places = 16;
+    constexpr std::size_t many = 32;
     const double low = s.low + least_part * (s.high - s.low), high = s.high - least_part * (s.high - s.low);
-    m_remeshed.lines().for_each_position(s.piece, low, high, visit);
+    std::size_t number = 0, i_of_vertex = 0;
+    m_remeshed.lines().for_each_position(s.piece, low, high, [&](double) { ++number; });
+    m_remeshed.lines().for_each_position(s.piece, low, high, [&](const double at) {
+      if(i_of_vertex++ % (number / many + 1) == 0)
+        visit(at);
+    });
+    if(number > many)
+      visit(farthest_vertex(s, low, high, s.at));
     for(int i = 0; i <= places; ++i)
       visit(low + (high - low) * i / places);
   }
@@ -142,7 +151,7 @@ private:
       const bool is_low = squared_distance(p, point_at(s, s.low)) < squared_distance(p, point_at(s, s.high));
       const double near = is_low ? s.low : s.high, beyond = is_low ? s.high : s.low;
       const double far = is_low ? s.low - (t.at - t.low) : s.high + (t.high - t.at);
-      const double bend = farthest_vertex(s, (std::min)(near, s.at), (std::max)(near, s.at)),
+      const double bend = farthest_vertex(s, (std::min)(near, s.at), (std::max)(near, s.at), s.at),
                    middle = .5 * (far + bend);
       const double before = deviation_along(s, {{far, near, s.at, beyond}});
       if(before > std::pow(tolerance * m_edge_length * m_remeshed.spot(v).size, 4.) &&
@@ -161,11 +170,11 @@ private:
     return sum;
   }
 
-  // The position of the vertex of the line that is farthest from the chord; `high` if there is none.
-  double farthest_vertex(const Stretch& s, const double low, const double high) const
+  // The position of the vertex of the line that is farthest from the chord
+  double farthest_vertex(const Stretch& s, const double low, const double high, const double if_none) const
   {
     const Point from = point_at(s, low), to = point_at(s, high);
-    double largest = 0., result = high;
+    double largest = 0., result = if_none;
     m_remeshed.lines().for_each_position(s.piece, low, high, [&](const double at) {
       const double d = squared_distance_to_segment(point_at(s, at), from, to);
       if(d > largest)
@@ -206,6 +215,8 @@ private:
     double limit = has_long_edge(moves[0].vertex, s) ? uneven_badness() : m_badness;
     for(const Index w : m_around)
       limit = (std::max)(limit, Vertex_ring(m_remeshed, w).badness());
+    if(!(limit < turned_badness)) // of a triangle that is turned already: others must not become so
+      return false;
     m_remeshed.record();
     for(const Move& move : moves)
       m_remeshed.put(move.vertex, m_remeshed.spot_on_line(m_remeshed.lines().place_at(s.piece, move.at)));

@@ -14,6 +14,7 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -28,12 +29,21 @@ namespace internal {
 
 using Barycentric_coordinates = std::array<double, 3>;
 
+template <class FT>
+Barycentric_coordinates in_doubles(const std::array<FT, 3>& coordinates)
+{
+  return {{CGAL::to_double(coordinates[0]), CGAL::to_double(coordinates[1]), CGAL::to_double(coordinates[2])}};
+}
+
+// Can be scaled and added, with something of the kind as the result: labels that convert to numbers, as enumerators and
+// the descriptors of a mesh, give numbers.
 template <class T, class = void>
-struct is_vector : std::false_type // can be scaled and added
+struct is_vector : std::false_type
 {};
 template <class T>
 struct is_vector<T, std::void_t<decltype(.5 * std::declval<const T&>() + .5 * std::declval<const T&>())>>
-  : std::true_type
+  : std::bool_constant<
+        !std::is_arithmetic<decltype(.5 * std::declval<const T&>() + .5 * std::declval<const T&>())>::value>
 {};
 
 template <class T, class = void>
@@ -70,8 +80,7 @@ Value interpolate(const T& a, const T& b, const T& c, const Barycentric_coordina
       result[i] = static_cast<typename Value::value_type>(at[0] * a[i] + at[1] * b[i] + at[2] * c[i]);
     return result;
   }
-  else if constexpr(std::is_floating_point<Value>::value ||
-                    (!std::is_arithmetic<Value>::value && is_vector<Value>::value))
+  else if constexpr(std::is_floating_point<Value>::value || is_vector<Value>::value)
     return static_cast<Value>(at[0] * a + at[1] * b + at[2] * c);
   else if constexpr(!std::is_arithmetic<Value>::value && is_point<Value>::value)
     return a + (at[1] * (b - a) + at[2] * (c - a));

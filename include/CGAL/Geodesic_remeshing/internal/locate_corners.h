@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/interpolate.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
 
 #include <algorithm>
@@ -84,7 +85,7 @@ public:
     for(Place& place : result)
     {
       const auto location = get(locations, source(h, remeshed));
-      place = Place{m_face[m_index(location.first)], {{location.second[0], location.second[1], location.second[2]}}};
+      place = Place{m_face[m_index(location.first)], in_doubles(location.second)};
       h = next(h, remeshed);
     }
     return result;
@@ -104,7 +105,7 @@ public:
       return corners[i];
     constexpr double a_little = 1e-6;
     const Place near = towards_centre(corners, i, a_little);
-    if(near.face == corners[i].face || is_of(near.face, corners[i]))
+    if(is_of(near.face, corners[i]))
       return Place{near.face, coordinates_in(m_input->mesh, corners[i], near.face)};
     return near; // beyond a face smaller than that
   }

@@ -139,11 +139,14 @@ private:
     std::vector<int> of_arc;
     for(const auto& arc : m_arcs)
       of_arc.push_back(comp(arc));
+    std::vector<int> distinct(of_arc);
+    std::sort(distinct.begin(), distinct.end());
     std::vector<std::size_t> taking_part;
     for(std::size_t i = 0; i < m_arcs.size(); ++i)
     {
       const Component& c = m_components[of_arc[i]];
-      const bool meets_itself = std::count(of_arc.begin(), of_arc.end(), of_arc[i]) > 1;
+      const auto same = std::equal_range(distinct.begin(), distinct.end(), of_arc[i]);
+      const bool meets_itself = same.second - same.first > 1;
       if(!c.is_hill || meets_itself || height_above(c, saddle) >= m_noise)
         taking_part.push_back(i);
     }
@@ -154,8 +157,6 @@ private:
         merged.peak = m_components[i].peak;
     for(int i : of_arc)
       merged.is_hill = merged.is_hill && m_components[i].is_hill;
-    std::vector<int> distinct(of_arc);
-    std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     if(taking_part.size() >= 2)
       open_leaves(taking_part, of_arc, builder);
@@ -163,7 +164,7 @@ private:
       merged.open.insert(merged.open.end(), m_components[i].open.begin(), m_components[i].open.end());
     if(taking_part.size() >= 2 && builder != nullptr)
       meet(saddle, taking_part, of_arc, *builder, merged);
-    unite(saddle, merged);
+    unite(saddle, std::move(merged));
   }
 
   void open_leaves(const std::vector<std::size_t>& taking_part, const std::vector<int>& of_arc, Region_builder* builder)
@@ -198,13 +199,13 @@ private:
     open.insert(open.end(), opened.begin(), opened.end());
   }
 
-  void unite(Vertex saddle, const Component& merged)
+  void unite(Vertex saddle, Component merged)
   {
     Vertex root = find(m_arcs.front().front());
     for(const auto& arc : m_arcs)
       m_parent[find(arc.front())] = root;
     m_parent[saddle] = root;
-    m_components[m_component[root]] = merged;
+    m_components[m_component[root]] = std::move(merged);
   }
 
   // `last` is the union-find representative of a whole connected component of the surface
@@ -259,8 +260,8 @@ inline Segmentation one_region(const Mesh& mesh, const std::vector<double>& dist
   region.kind = Region_kind::root;
   region.centre = root;
   region.height = height;
-  region.spacing = height / (std::max)(1., std::round(height / curve_distance));
-  region.number_of_levels = static_cast<int>(std::round(height / region.spacing));
+  region.number_of_levels = static_cast<int>((std::max)(1., std::round(height / curve_distance)));
+  region.spacing = height / region.number_of_levels;
   region.bottom = 1;
   Segmentation result;
   result.number_of_junctions = 2;

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -38,25 +39,24 @@ class Working_face_finder
 {
 public:
   Working_face_finder(const Mesh& surface, const Working_surface& working)
-    : m_surface(surface), m_working(working), m_last(surface.number_of_faces())
+    : m_surface(surface), m_working(working), m_last(surface.number_of_faces()), m_parts(surface.number_of_faces(), 0)
   {
     for(Face f : working.mesh.faces())
+    {
       m_last[working.input_face[f]] = f;
+      ++m_parts[working.input_face[f]];
+    }
   }
 
   Face face_at(const Place& place)
   {
-    const Mesh& mesh = m_working.mesh;
     Face& f = m_last[place.face];
-    for(std::size_t steps = 0; steps < mesh.number_of_faces(); ++steps)
+    for(std::uint32_t steps = 1; steps < m_parts[place.face]; ++steps) // by rounding a way may lead in circles
     {
       const Halfedge h = side_facing(f, place);
       if(!h.is_valid())
         break;
-      const Face beyond = mesh.face(mesh.opposite(h));
-      if(beyond == Mesh::null_face() || m_working.input_face[beyond] != place.face)
-        break; // on the edge of the input face, but for rounding
-      f = beyond;
+      f = m_working.mesh.face(m_working.mesh.opposite(h));
     }
     return f;
   }
@@ -65,7 +65,7 @@ private:
   using Coordinates = std::array<double, 3>;
 
   // The side of a working face that the place is farthest beyond, in the coordinates of the input face; none if it is
-  // inside
+  // inside, or beyond the input face by rounding
   Halfedge side_facing(Face f, const Place& place) const
   {
     const Mesh& mesh = m_working.mesh;
@@ -74,7 +74,8 @@ private:
     for(int i = 0; i < 3; ++i, h = mesh.next(h))
     {
       const double side = turn(at(mesh.source(h), place.face), at(mesh.target(h), place.face), place.coordinates);
-      if(!(side < farthest))
+      const Face beyond = mesh.face(mesh.opposite(h));
+      if(!(side < farthest) || beyond == Mesh::null_face() || m_working.input_face[beyond] != place.face)
         continue;
       farthest = side;
       result = h;
@@ -91,7 +92,8 @@ private:
 
   const Mesh& m_surface;
   const Working_surface& m_working;
-  std::vector<Face> m_last;
+  std::vector<Face> m_last;           // found, by input face
+  std::vector<std::uint32_t> m_parts; // their number, by input face
 };
 
 // The region that each face of the output has its centre in. `working` is the surface that was segmented.

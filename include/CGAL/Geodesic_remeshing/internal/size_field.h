@@ -139,9 +139,12 @@ private:
     };
     const std::string fewest = number_with(m_limits.maximum_length), most = number_with(m_limits.minimum_length);
     const std::string message =
-        whole_number(number) + " vertices are not within the limits of the sizing: its lengths allow" +
-        (fewest.empty() ? "" : " no fewer than about " + fewest) + (fewest.empty() || most.empty() ? "" : " and") +
-        (most.empty() ? "" : " no more than about " + most);
+        fewest.empty() && most.empty()
+            ? "lengths that differ as much as those of the sizing cannot be scaled to " + whole_number(number) +
+                  " vertices"
+            : whole_number(number) + " vertices are not within the limits of the sizing: its lengths allow" +
+                  (fewest.empty() ? "" : " no fewer than about " + fewest) +
+                  (fewest.empty() || most.empty() ? "" : " and") + (most.empty() ? "" : " no more than about " + most);
     throw Remeshing_error("geodesic remeshing: " + message);
   }
 
@@ -157,8 +160,19 @@ inline void check_limits(const Sizing_limits& limits)
     reject("the gradation must be positive");
   if(!(limits.minimum_length >= 0.) || !(limits.maximum_length > 0.))
     reject("the smallest and the largest length must be positive");
+  if(!std::isfinite(limits.minimum_length))
+    reject("the smallest length must be finite");
   if(!(limits.minimum_length <= limits.maximum_length))
     reject("the smallest length is above the largest");
+}
+
+// By a power of two, which rounds nothing: where only the ratios count, lengths near to one can be computed with.
+inline std::vector<double> scaled_to_one(std::vector<double> lengths)
+{
+  const int exponent = std::ilogb(*std::max_element(lengths.begin(), lengths.end()));
+  for(double& length : lengths)
+    length = std::scalbn(length, -exponent);
+  return lengths;
 }
 
 // What a remeshing aims at
@@ -177,10 +191,11 @@ inline Goal set_goal(const Any_target& target, const std::vector<double>& wishes
   if(wishes.empty())
     return goal(number_of_vertices_for(target, surface));
   check_limits(limits);
-  Size_field field(surface, wishes, limits);
+  const Edge_length* const length = std::get_if<Edge_length>(&target);
+  Size_field field(surface, length != nullptr ? wishes : scaled_to_one(wishes), limits);
   std::vector<double> lengths;
   Goal result;
-  if(const Edge_length* const length = std::get_if<Edge_length>(&target))
+  if(length != nullptr)
   {
     check_length(length->value);
     lengths = field.lengths(length->value);

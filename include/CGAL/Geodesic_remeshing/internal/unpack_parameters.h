@@ -97,6 +97,8 @@ std::size_t number_of_iterations_of(const NamedParameters& np)
 {
   const auto number =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::number_of_iterations), 3u);
+  static_assert(std::is_integral<std::remove_const_t<decltype(number)>>::value,
+                "number_of_iterations() takes an integer");
   if constexpr(std::is_signed<decltype(number)>::value)
     if(number < 0)
       throw std::invalid_argument("geodesic remeshing: the number of iterations must not be negative");
