@@ -349,7 +349,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
 
   clock.stage("output", 1.); // the last question to the visitor: from here on nothing but the output changes
   write_output(input, remeshed, np_in, out, np_out,
-               [&] { return regions_of_faces(surface, *run->pieces, run->segmentation, remeshed); });
+               [&] { return regions_of_faces(surface, run->surfaces.pieces(), run->segmentation, remeshed); });
   clock.stop();
   summary.number_of_vertices = remeshed.mesh.number_of_vertices();
   summary.number_of_faces = remeshed.mesh.number_of_faces();

@@ -1163,11 +1163,12 @@ TEST(Lines, cutting_along_them_leaves_the_pieces_apart)
     const auto np = parameters::features_angle_bound(60.);
     internal::copy_input(c.mesh, np, input);
     const Constraints constraints = internal::find_constraints(c.mesh, np, input, .5);
-    internal::Working_surface working, cut;
+    internal::Working_surface working, pieces;
     internal::make_working_surface(input.mesh, constraints, 1., working);
     std::vector<char> is_corner = constraints.is_corner;
     is_corner.resize(working.mesh.number_of_vertices(), 0);
-    const internal::Working_surface& pieces = internal::cut_along_lines(working, is_corner, cut);
+    internal::copy_working_surface(working, pieces);
+    internal::cut_along_lines(pieces, is_corner);
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(pieces.mesh));
     EXPECT_EQ(is_corner.size(), pieces.mesh.number_of_vertices());
     EXPECT_EQ(pieces.mesh.number_of_faces(), working.mesh.number_of_faces());
@@ -1199,7 +1200,7 @@ TEST(Lines, samples_divide_each_piece_evenly)
   const Constraints constraints = internal::find_constraints(mesh, np, input, .3);
   internal::Working_surface working;
   internal::make_working_surface(input.mesh, constraints, .45, working);
-  const auto pieces = internal::trace_lines(working, constraints);
+  const auto pieces = internal::trace_marked_lines(working.mesh, constraints);
   EXPECT_EQ(pieces.size(), 12u);
   const auto samples = internal::Line_sampler(input.mesh, working).run(constraints, pieces, .3);
   EXPECT_EQ(samples.size(), 8u + 4 * (12 + 9 + 6)); // 4, 3 and 2 divided by 13, 10 and 7
@@ -1226,7 +1227,7 @@ struct Thin_box
     internal::copy_input(mesh, np, input);
     const Constraints constraints = internal::find_constraints(mesh, np, input, edge_length);
     internal::make_working_surface(input.mesh, constraints, 1.5 * edge_length, working);
-    pieces = internal::trace_lines(working, constraints);
+    pieces = internal::trace_marked_lines(working.mesh, constraints);
   }
 
   internal::Input_surface<Mesh> input;
@@ -1237,7 +1238,7 @@ struct Thin_box
 TEST(Lines, gaps_between_them_are_measured_over_the_surface)
 {
   const Thin_box box(.1, .4);
-  const internal::Line_gaps all(box.working, 10.), narrow(box.working, 1.), none(box.working, .05);
+  const internal::Line_gaps all(box.working.mesh, 10.), narrow(box.working.mesh, 1.), none(box.working.mesh, .05);
   for(const auto& piece : box.pieces)
     for(Halfedge h : piece.halfedges)
     {
@@ -1260,7 +1261,7 @@ TEST(Lines, samples_are_denser_where_gaps_are_narrower_than_edges)
   // How many times as many samples the eight long lines get, in a gap so many edge lengths wide
   const auto density = [](double width, double most_vertices) {
     Thin_box box(.1, .1 / width);
-    internal::Line_densities(box.working, .1 / width, box.pieces).run(most_vertices);
+    internal::Line_densities(box.working.mesh, .1 / width, box.pieces).run(most_vertices);
     double length = 0.;
     const internal::Metric metric(box.working.mesh);
     for(const auto& piece : box.pieces)

@@ -2,6 +2,7 @@
 #include "segmented_surface.h"
 #include "test_support.h"
 
+#include <CGAL/Geodesic_remeshing/internal/Stage_surfaces.h>
 #include <CGAL/Geodesic_remeshing/region_segmentation.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polyhedron_3.h>
@@ -254,6 +255,59 @@ TEST(Working_surface, short_edges_are_left_alone)
   Working_surface working;
   make_working_surface(mesh, 100., working);
   EXPECT_TRUE(support::is_same_mesh(working.mesh, mesh));
+}
+
+TEST(Working_surface, is_copied_only_to_be_changed)
+{
+  const Mesh mesh = made::torus(3, 1, 40, 16);
+  const auto marked = [&](bool is_line) {
+    Constraints constraints;
+    constraints.is_line.assign(mesh.number_of_edges(), 0);
+    constraints.is_line[0] = is_line;
+    return constraints;
+  };
+  const double long_enough = 100., too_short = .3;
+  for(const bool has_line : {false, true})
+    for(const double length : {long_enough, too_short})
+      for(const bool is_copy_wanted : {false, true})
+      {
+        SCOPED_TRACE(std::to_string(has_line) + " " + std::to_string(length) + " " + std::to_string(is_copy_wanted));
+        Mesh surface = mesh;
+        Stage_surfaces surfaces;
+        surfaces.refine(surface, marked(has_line), length);
+        EXPECT_EQ(&surfaces.whole() == &surface, length == long_enough);
+        std::vector<char> is_corner;
+        surfaces.cut(is_corner, is_copy_wanted);
+        EXPECT_EQ(is_corner.size(), surfaces.mesh_of_pieces().number_of_vertices());
+        EXPECT_EQ(&surfaces.mesh_of_pieces() == &surfaces.whole(), !has_line && !is_copy_wanted);
+        const Mesh pieces = surfaces.mesh_of_pieces();
+        Working_surface& working = surfaces.working();
+        EXPECT_NE(&working.mesh, &surface);
+        EXPECT_TRUE(support::is_same_mesh(surfaces.pieces().mesh, pieces));
+        EXPECT_EQ(&surfaces.pieces() == &working, !has_line && !is_copy_wanted);
+        EXPECT_EQ(support::is_same_mesh(working.mesh, mesh), length == long_enough);
+        const auto marks = lines_of(working.mesh);
+        EXPECT_EQ(std::any_of(working.mesh.edges_begin(), working.mesh.edges_end(), [&](Edge e) { return marks[e]; }),
+                  has_line);
+      }
+}
+
+TEST(Working_surface, lines_ask_for_shorter_edges)
+{
+  Mesh mesh = made::torus(3, 1, 40, 16);
+  Constraints constraints;
+  constraints.is_line.assign(mesh.number_of_edges(), 0);
+  double longest = 0.;
+  for(Edge e : mesh.edges())
+    longest = (std::max)(longest, Metric(mesh).length(e));
+  mark_lines(mesh, constraints);
+  EXPECT_FALSE(has_long_edges(mesh, longest));
+  EXPECT_TRUE(has_long_edges(mesh, .999 * longest));
+  constraints.is_line[7] = 1;
+  mark_lines(mesh, constraints);
+  const double on_line = Metric(mesh).length(Edge(7)) / part_on_lines;
+  EXPECT_FALSE(has_long_edges(mesh, 1.001 * on_line));
+  EXPECT_TRUE(has_long_edges(mesh, .999 * on_line));
 }
 
 // ---- the order of the vertices

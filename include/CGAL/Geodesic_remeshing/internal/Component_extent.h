@@ -12,7 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Component_numbers.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
-#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
@@ -70,9 +70,10 @@ inline std::vector<std::uint32_t> components_of(const Mesh& mesh, std::size_t& n
   return components.take(number);
 }
 
-inline std::vector<Extent> extents_of_components(const Working_surface& working, const Constraints& constraints)
+// The lines are marked.
+inline std::vector<Extent> extents_of_components(const Mesh& mesh, const Constraints& constraints)
 {
-  const Mesh& mesh = working.mesh;
+  const auto is_line = lines_of(mesh);
   std::size_t number;
   const std::vector<std::uint32_t> component_of = components_of(mesh, number);
   std::vector<Extent> extents(number);
@@ -87,7 +88,7 @@ inline std::vector<Extent> extents_of_components(const Working_surface& working,
   {
     Extent& extent = extents[component_of[mesh.vertex(e, 0)]];
     --extent.euler_characteristic;
-    if(working.is_line[e])
+    if(is_line[e])
       extent.sides_of_lines += metric.length(e) * (mesh.is_border(e) ? 1. : 2.);
   }
   for(Face f : mesh.faces())

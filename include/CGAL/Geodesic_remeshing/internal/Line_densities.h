@@ -12,7 +12,6 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Line_gaps.h>
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
-#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
 #include <algorithm>
@@ -32,9 +31,9 @@ namespace internal {
 class Line_densities
 {
 public:
-  Line_densities(const Working_surface& working, const double edge_length, std::vector<Line_piece>& pieces)
-    : m_mesh(working.mesh), m_metric(working.mesh), m_edge_length(edge_length),
-      m_gaps(working, widest_gap() * edge_length), m_pieces(pieces)
+  Line_densities(const Mesh& mesh, const double edge_length, std::vector<Line_piece>& pieces)
+    : m_mesh(mesh), m_metric(mesh), m_edge_length(edge_length), m_gaps(mesh, widest_gap() * edge_length),
+      m_pieces(pieces)
   {}
 
   // With so many vertices for all lines at the most, unless they take more by themselves

@@ -11,7 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_LINE_GAPS_H
 
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
-#include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ class Line_gaps
 {
 public:
   // What is farther than `farthest` is not sought.
-  Line_gaps(const Working_surface& working, const double farthest)
-    : m_mesh(working.mesh), m_metric(working.mesh), m_is_line(working.is_line), m_farthest(farthest)
+  Line_gaps(const Mesh& mesh, const double farthest)
+    : m_mesh(mesh), m_metric(mesh), m_is_line(lines_of(mesh)), m_farthest(farthest)
   {}
 
   // From the middle of h over its face, at a right angle: the faces that the way crosses are unfolded into a plane, in

@@ -13,6 +13,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
 #include <CGAL/Geodesic_remeshing/internal/Sample.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
 #include <vector>
@@ -92,13 +93,15 @@ private:
   std::vector<Sample> m_samples;
 };
 
-inline std::vector<Line_piece> trace_lines(const Working_surface& working, const Constraints& constraints)
+// Those that are marked, see line_edges.h
+inline std::vector<Line_piece> trace_marked_lines(const Mesh& mesh, const Constraints& constraints)
 {
+  const auto is_line = lines_of(mesh);
   const auto is_corner = [&](Vertex v) {
     return v.idx() < constraints.is_corner.size() && constraints.is_corner[v.idx()];
   };
   std::vector<Line_piece> pieces = trace_lines(
-      working.mesh, [&](Edge e) { return working.is_line[e]; }, is_corner);
+      mesh, [&](Edge e) { return is_line[e]; }, is_corner);
   for(Line_piece& piece : pieces)
     piece.is_kept = constraints.are_kept;
   return pieces;

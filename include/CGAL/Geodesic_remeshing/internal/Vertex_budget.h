@@ -141,12 +141,12 @@ inline std::size_t number_if_even(const std::vector<Extent>& extents, const Line
 }
 
 // `number` is that of the target if it is a number, else what follows from the area alone.
-inline Vertex_budget make_budget(const Any_target& target, const Working_surface& working, std::size_t number,
+inline Vertex_budget make_budget(const Any_target& target, const Mesh& mesh, std::size_t number,
                                  const std::vector<Line_piece>& pieces, const Constraints& constraints)
 {
   const auto wanted = [](const Extent& e, double edge_length) { return e.wanted(edge_length); };
-  std::vector<Extent> extents = extents_of_components(working, constraints);
-  const Line_budget lines(working.mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
+  std::vector<Extent> extents = extents_of_components(mesh, constraints);
+  const Line_budget lines(mesh, pieces, sum_over(extents, [](const Extent& e) { return e.corners; }));
   const std::size_t fewest = sum_over(extents, [](const Extent& e) { return e.fewest(); });
   const std::size_t enough = enough_vertices(extents);
   if(constraints.are_kept)

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_WORKING_SURFACE_H
 
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <CGAL/assertions.h>
@@ -33,11 +34,23 @@ struct Working_surface
   Mesh::Property_map<Edge, bool> is_line;     // of an edge on a line of the input
   Mesh::Property_map<Vertex, double> density; // only where the input surface has one, see Metric
 
-  // The property maps are those of this object's own mesh: moving would be fine, copying would not.
+  static constexpr const char *place_property = "v:place", *face_property = "f:input_face";
+
+  // The property maps are those of this object's own mesh: moving would be fine, copying takes the function below.
   Working_surface() = default;
   Working_surface(const Working_surface&) = delete;
   Working_surface& operator=(const Working_surface&) = delete;
 };
+
+inline void copy_working_surface(const Working_surface& from, Working_surface& to)
+{
+  to.mesh = from.mesh;
+  to.place = *to.mesh.property_map<Vertex, Place>(Working_surface::place_property);
+  to.input_face = *to.mesh.property_map<Face, Face>(Working_surface::face_property);
+  to.is_line = lines_of(to.mesh);
+  if(!Metric(to.mesh).is_uniform())
+    to.density = *to.mesh.property_map<Vertex, double>(Metric::property);
+}
 
 // The coordinates in `face` of a point of the closed face that is known by its place in that face or in one beside it.
 // A point on an edge or a vertex has exact zeros, so the vertices that carry weight are vertices of both faces.

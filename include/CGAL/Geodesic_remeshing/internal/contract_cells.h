@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Cell_growth.h>
 #include <CGAL/Geodesic_remeshing/internal/open_separating_triangles.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ public:
   using Line_map = Mesh::Property_map<Edge, bool>;
 
   Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples)
-    : Cell_contractor(mesh, samples, mesh.add_property_map<Edge, bool>("e:line", false).first)
+    : Cell_contractor(mesh, samples, mesh.add_property_map<Edge, bool>(line_property, false).first)
   {}
 
   Cell_contractor(Mesh& mesh, const std::vector<Vertex>& samples, Line_map is_line)

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_CUT_ALONG_LINES_H
 
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 
 #include <algorithm>
 #include <vector>
@@ -97,23 +98,16 @@ private:
   std::vector<char> m_is_used;
 };
 
-// The working surface itself where no line is inside it, else `cut`; or `cut` in any case, for who needs it after the
-// strips, which use the working surface up. `is_corner` is continued for the new vertices.
-inline const Working_surface& cut_along_lines(const Working_surface& working, std::vector<char>& is_corner,
-                                              Working_surface& cut, bool is_copy_wanted = false)
+// `is_corner` is continued for the new vertices.
+inline void cut_along_lines(Working_surface& working, std::vector<char>& is_corner)
 {
-  const Mesh& mesh = working.mesh;
-  const auto is_inside = [&](Edge e) { return working.is_line[e] && !mesh.is_border(e); };
-  if(!is_copy_wanted && std::none_of(mesh.edges_begin(), mesh.edges_end(), is_inside))
-    return working;
-  cut.mesh = mesh;
-  cut.place = *cut.mesh.property_map<Vertex, Place>("v:place");
-  cut.input_face = *cut.mesh.property_map<Face, Face>("f:input_face");
-  cut.is_line = *cut.mesh.property_map<Edge, bool>("e:line");
-  if(!Metric(mesh).is_uniform())
-    cut.density = *cut.mesh.property_map<Vertex, double>(Metric::property);
-  Line_cutter(cut, is_corner).run();
-  return cut;
+  Line_cutter(working, is_corner).run();
+}
+
+inline bool has_lines_inside(const Mesh& mesh)
+{
+  const auto is_line = lines_of(mesh);
+  return std::any_of(mesh.edges_begin(), mesh.edges_end(), [&](Edge e) { return is_line[e] && !mesh.is_border(e); });
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Target.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
+#include <CGAL/Geodesic_remeshing/internal/line_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/numbers_in_messages.h>
 #include <CGAL/Geodesic_remeshing/internal/split_long_edges.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
@@ -78,12 +79,22 @@ inline void check_resolution(const Mesh& surface, double edge_length)
 // On lines a third of that: distances from a line are those from its vertices.
 constexpr double part_on_lines = 1. / 3.;
 
-inline void make_working_surface(const Mesh& surface, const Constraints& constraints, double maximum_edge_length,
-                                 Working_surface& working)
+// Whether the surface has an edge that the working surface must not have. Its lines are marked.
+inline bool has_long_edges(const Mesh& surface, double maximum_edge_length)
+{
+  const Metric metric(surface);
+  const auto is_line = lines_of(surface);
+  return std::any_of(surface.edges_begin(), surface.edges_end(), [&](Edge e) {
+    return metric.length(e) > (is_line[e] ? part_on_lines : 1.) * maximum_edge_length;
+  });
+}
+
+// With its edges as long as they are; the lines are those that are marked.
+inline void copy_surface(const Mesh& surface, Working_surface& working)
 {
   working.mesh = surface;
-  working.place = working.mesh.add_property_map<Vertex, Place>("v:place").first;
-  working.input_face = working.mesh.add_property_map<Face, Face>("f:input_face").first;
+  working.place = working.mesh.add_property_map<Vertex, Place>(Working_surface::place_property).first;
+  working.input_face = working.mesh.add_property_map<Face, Face>(Working_surface::face_property).first;
   if(!Metric(surface).is_uniform())
     working.density = add_density(working.mesh); // a copy of that of the input surface
   for(Face f : surface.faces())
@@ -98,9 +109,14 @@ inline void make_working_surface(const Mesh& surface, const Constraints& constra
       place.coordinates[i] = 1.;
     }
   }
-  working.is_line = working.mesh.add_property_map<Edge, bool>("e:line", false).first;
-  for(Edge e : surface.edges())
-    working.is_line[e] = !constraints.is_line.empty() && constraints.is_line[e.idx()];
+  working.is_line = working.mesh.add_property_map<Edge, bool>(line_property, false).first;
+}
+
+inline void make_working_surface(const Mesh& surface, const Constraints& constraints, double maximum_edge_length,
+                                 Working_surface& working)
+{
+  copy_surface(surface, working);
+  mark_lines(working.mesh, constraints);
   split_long_edges(surface, working, maximum_edge_length, false);
   split_long_edges(surface, working, part_on_lines * maximum_edge_length, true);
 }

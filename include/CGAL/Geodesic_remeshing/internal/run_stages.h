@@ -15,11 +15,11 @@
 #include <CGAL/Geodesic_remeshing/internal/Face_division.h>
 #include <CGAL/Geodesic_remeshing/internal/Level_curves.h>
 #include <CGAL/Geodesic_remeshing/internal/Line_densities.h>
+#include <CGAL/Geodesic_remeshing/internal/Stage_surfaces.h>
 #include <CGAL/Geodesic_remeshing/internal/Vertex_budget.h>
 #include <CGAL/Geodesic_remeshing/internal/badness.h>
 #include <CGAL/Geodesic_remeshing/internal/fit_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/improve.h>
-#include <CGAL/Geodesic_remeshing/internal/make_working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/sample_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/size_field.h>
 #include <CGAL/Geodesic_remeshing/internal/stages.h>
@@ -52,8 +52,7 @@ struct Stages_run
 {
   std::size_t number_of_vertices = 0;
   double edge_length = 0.;
-  Working_surface working, cut;
-  const Working_surface* pieces = nullptr; // one of these
+  Stage_surfaces surfaces;
   Segmentation segmentation;
   Placed_mesh remeshed;
   std::vector<Conflict_place> conflicts; // that are left
@@ -65,65 +64,68 @@ template <class Clock>
 void run_stages(const Stages_work& work, const Any_target& target, const Goal& goal, Clock& clock, Stage_results* kept,
                 Stages_run& run)
 {
-  const Mesh& surface = work.surface;
+  Mesh& surface = work.surface;
   const Constraints& constraints = work.constraints;
   const Options& options = work.options;
 
   clock.stage("refinement", .05);
-  Working_surface& working = run.working;
+  Stage_surfaces& surfaces = run.surfaces;
   check_resolution(surface, goal.mean_edge_length);
-  make_working_surface(surface, constraints, longest_working_edge * goal.mean_edge_length, working);
-  std::vector<Line_piece> lines = trace_lines(working, constraints);
-  Line_densities(working, goal.mean_edge_length, lines).run(.5 * static_cast<double>(goal.number_of_vertices));
-  const Vertex_budget budget = make_budget(target, working, goal.number_of_vertices, lines, constraints);
+  surfaces.refine(surface, constraints, longest_working_edge * goal.mean_edge_length);
+  std::vector<Line_piece> lines = trace_marked_lines(surfaces.whole(), constraints);
+  Line_densities(surfaces.whole(), goal.mean_edge_length, lines).run(.5 * static_cast<double>(goal.number_of_vertices));
+  const Vertex_budget budget = make_budget(target, surfaces.whole(), goal.number_of_vertices, lines, constraints);
   const std::size_t n = run.number_of_vertices = budget.number_of_vertices;
   const double edge_length = run.edge_length = budget.edge_length;
   const double curve_distance =
       std::sqrt(.75) * budget.curve_edge_length; // the height of an equilateral triangle (paper, section 4)
 
   std::vector<char> is_corner = constraints.is_corner;
-  is_corner.resize(working.mesh.number_of_vertices(), 0);
-  const Working_surface& pieces = cut_along_lines(working, is_corner, run.cut, work.wants_regions);
-  run.pieces = &pieces;
+  surfaces.cut(is_corner, work.wants_regions);
+  const Mesh& mesh = surfaces.mesh_of_pieces();
 
   clock.stage("distances", .1);
-  auto triangulation = std::make_unique<const Intrinsic_triangulation>(pieces.mesh, options.concurrency);
+  auto triangulation = std::make_unique<const Intrinsic_triangulation>(mesh, options.concurrency);
   auto marching_memory = std::make_unique<Fast_marching>(*triangulation);
   Fast_marching& marching = *marching_memory;
-  Fronts_and_components fronts = march_from_roots_and_lines(pieces.mesh, is_corner, marching);
-  std::vector<double> distance = distances_in(marching, pieces.mesh);
-  keep_working_surface(pieces.mesh, distance, kept);
+  Fronts_and_components fronts = march_from_roots_and_lines(mesh, is_corner, marching);
+  std::vector<double> distance = distances_in(marching, mesh);
+  keep_working_surface(mesh, distance, kept);
 
   clock.stage("regions", .2);
   Segmentation& segmentation = run.segmentation;
-  segmentation = segment(pieces.mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
-  keep_regions(pieces.mesh, segmentation, kept);
+  segmentation = segment(mesh, marching, distance, fronts, curve_distance, options.use_segmentation);
+  keep_regions(mesh, segmentation, kept);
   run.number_of_regions = segmentation.regions.size();
   Line_samples on_lines;
   if(!lines.empty())
-    on_lines.distance = distances_from_lines(pieces.mesh, marching, 2. * edge_length);
+    on_lines.distance = distances_from_lines(mesh, marching, 2. * edge_length);
   release(marching_memory, triangulation); // the largest of what the stages make
   release(distance, fronts.component_of, fronts.closed, fronts.open);
 
   clock.stage("curves", .3);
-  Level_curves curves = Curve_tracer(pieces.mesh, segmentation).trace();
-  keep_curves(pieces.mesh, curves, kept);
+  Level_curves curves = Curve_tracer(mesh, segmentation).trace();
+  keep_curves(mesh, curves, kept);
   run.number_of_curves = curves.curves.size();
 
   clock.stage("samples", .35);
+  Working_surface& working = surfaces.working();
   on_lines.samples = Line_sampler(surface, working).run(constraints, lines, budget.spacing_on_lines);
   std::vector<Sample> samples;
   parallel_invoke(
       options.concurrency,
       [&] {
-        samples = sample_surface(surface, pieces, segmentation, curves, on_lines, fronts.roots,
+        samples = sample_surface(surface, surfaces.pieces(), segmentation, curves, on_lines, fronts.roots,
                                  budget.curve_edge_length, n, options.concurrency);
       },
-      [&] { run.number_of_strips = find_strips(pieces.mesh, curves).second; });
+      [&] { run.number_of_strips = find_strips(mesh, curves).second; });
   keep_samples(samples, kept);
   release(curves, on_lines);
   if(!work.wants_regions)
-    release(segmentation, run.cut.mesh);
+  {
+    release(segmentation);
+    surfaces.release_pieces();
+  }
 
   clock.stage("strips", .45);
   Placed_mesh& remeshed = run.remeshed;
