@@ -1305,8 +1305,8 @@ TEST(Lines, narrow_places_of_a_closed_line_may_lie_across_its_start)
         internal::find_constraints(ring, CGAL::parameters::default_values(), input, edge_length);
     internal::Working_surface working;
     internal::make_working_surface(input.mesh, constraints, 1.5 * edge_length, working);
-    std::vector<internal::Line_piece> pieces = internal::trace_lines(working, constraints);
-    internal::Line_densities(working, edge_length, pieces).run(1e9);
+    std::vector<internal::Line_piece> pieces = internal::trace_marked_lines(working.mesh, constraints);
+    internal::Line_densities(working.mesh, edge_length, pieces).run(1e9);
     const internal::Metric metric(working.mesh);
     double sum = 0.;
     for(const auto& piece : pieces)
