@@ -707,6 +707,22 @@ TEST_F(Command_line, solids_that_touch_along_an_edge_are_parted)
   EXPECT_EQ(of_output({{"#########", "#.#.#.#.#", "#########"}}, 3), (Shape{{1, 4, 0}}));
 }
 
+// From a model of a robot's hip: two solids with walls in the same plane. Both halves of the edge between them must be
+// parted alike, or they are halved again and again.
+TEST_F(Command_line, an_edge_of_walls_in_one_plane_is_halved_once)
+{
+  const std::string walls =
+      file("walls.off",
+           "OFF\n11 11 0\n.101202 .00029 .013733\n.093 .00029 -.01\n.093 .00029 .01\n.093 -.00221 .01\n"
+           ".0902 .00029 -.01\n.101402 .00029 -.013733\n.101402 .00029 .013733\n.0902 .00029 .01\n"
+           ".0902 -.00171 -.01\n.093 -.00171 -.01\n.093 -.00171 .01\n"
+           "3 0 1 2\n3 1 3 2\n3 4 5 1\n3 1 5 6\n3 1 6 2\n3 2 6 7\n3 4 1 8\n3 8 1 9\n3 2 7 10\n3 1 2 9\n3 9 2 10\n");
+  const Outcome outcome = run(walls + " " + output() + " --vertices 100 --check --report " + output("r.json"));
+  EXPECT_NE(outcome.out.find("parted 1 edges with four faces or more"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("NO"), std::string::npos) << outcome.out;
+  EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["input"]["vertices"], 13);
+}
+
 TEST_F(Command_line, branching_surface_is_cut_open)
 {
   const std::string fin = file("fin.off", "OFF\n6 4 0\n0 0 0\n0 1 0\n1 0 0\n-1 0 0\n0 0 1\n0 1 1\n"

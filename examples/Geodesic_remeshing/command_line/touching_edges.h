@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -54,40 +55,50 @@ private:
     std::vector<Pair> pairs;
   };
 
-  // Around an edge from its lower to its higher vertex, a face that runs through it in this direction has the inside
-  // before it, and one that runs against it has it behind.
+  // Of the edge that this one is a part of, if edges were divided
+  Pair ends_of(const std::size_t low, const std::size_t high) const
+  {
+    const auto end = m_ends.find(high); // the later of the two
+    return end == m_ends.end() ? Pair(low, high) : end->second;
+  }
+
+  // Around an edge from its one end to the other, a face that runs through it in this direction has the inside before
+  // it, and one that runs against it has it behind. All is measured at the undivided edge and from the apexes, where
+  // faces lie on each other they come in the order of these: both parts of an edge must be paired alike.
   std::vector<Pair> pairs_around(std::vector<Side>::const_iterator first, std::vector<Side>::const_iterator last) const
   {
-    const Point &a = m_soup.points[first->low], &b = m_soup.points[first->high];
-    const auto is_ascending = [](const Side& s) { return s.ascending; };
-    if(2 * std::count_if(first, last, is_ascending) != last - first)
-      return {};
+    const Pair ends = ends_of(first->low, first->high);
+    const Point &a = m_soup.points[ends.first], &b = m_soup.points[ends.second];
     const CGAL::Vector_3<mesh_quality::Kernel> axis = b - a;
-    const auto apex_of = [&](const Side& s) {
-      const auto& p = m_soup.polygons[s.face];
-      return m_soup.points[p[0] + p[1] + p[2] - s.low - s.high];
-    };
-    const auto x = CGAL::cross_product(CGAL::cross_product(axis, apex_of(*first) - a), axis);
+    const bool is_reversed = (m_soup.points[first->high] - m_soup.points[first->low]) * axis < 0.;
+    if(2 * std::count_if(first, last, [](const Side& s) { return s.ascending; }) != last - first)
+      return {};
+    std::vector<std::pair<std::size_t, const Side*>> apexes;
+    for(auto s = first; s != last; ++s)
+    {
+      const auto& p = m_soup.polygons[s->face];
+      apexes.emplace_back(p[0] + p[1] + p[2] - s->low - s->high, &*s);
+    }
+    std::sort(apexes.begin(), apexes.end());
+    const auto way_to = [&](const std::size_t apex) { return m_soup.points[apex] - a; };
+    const auto x = CGAL::cross_product(CGAL::cross_product(axis, way_to(apexes.front().first)), axis);
     const auto y = CGAL::cross_product(axis, x);
     if(!(x.squared_length() > 0.))
       return {}; // a face without area
     const double length = std::sqrt(axis.squared_length());
     std::vector<std::pair<double, const Side*>> around;
-    for(auto s = first; s != last; ++s)
-    {
-      const auto way = apex_of(*s) - a;
-      around.emplace_back(std::atan2(way * y, length * (way * x)), &*s);
-    }
-    std::sort(around.begin(), around.end());
+    for(const auto& [apex, side] : apexes)
+      around.emplace_back(std::atan2(way_to(apex) * y, length * (way_to(apex) * x)), side);
+    std::stable_sort(around.begin(), around.end(), [](const auto& s, const auto& t) { return s.first < t.first; });
     // Like brackets that open and close: solids that overlap have one pair within another. Twice around, as the first
     // to close may have been opened last.
     std::vector<Pair> pairs;
     std::vector<std::size_t> open;
     for(int round = 0; round < 2; ++round)
       for(auto& [angle, side] : around)
-        if(side != nullptr && !side->ascending && round == 0)
+        if(side != nullptr && side->ascending == is_reversed && round == 0)
           open.push_back(side->face);
-        else if(side != nullptr && side->ascending && !open.empty())
+        else if(side != nullptr && side->ascending != is_reversed && !open.empty())
         {
           pairs.emplace_back(open.back(), side->face);
           open.pop_back();
@@ -146,6 +157,7 @@ private:
       if(!is_free)
         continue;
       const std::size_t middle = m_soup.points.size();
+      m_ends.emplace(middle, ends_of(e.low, e.high));
       m_soup.points.push_back(CGAL::midpoint(m_soup.points[e.low], m_soup.points[e.high]));
       for(const Pair& pair : e.pairs)
         for(const std::size_t f : {pair.first, pair.second})
@@ -187,6 +199,7 @@ private:
   Soup& m_soup;
   std::vector<Edge> m_edges;
   Disjoint_sets m_fans;
+  std::map<std::size_t, Pair> m_ends; // of the edges that got these vertices in their middles
 };
 
 } // namespace internal
