@@ -107,17 +107,20 @@ std::vector<Descriptor> number_by_vertices(const std::size_t elements, const std
   return result;
 }
 
-// Copies a mesh with its vertices in this order, and edges and faces in that of the first of their vertices. Each edge
-// keeps its first halfedge, each face and each vertex the halfedge that stands for it.
+// Copies a mesh into an empty one, with its vertices in this order, and edges and faces in that of the first of their
+// vertices. Each edge keeps its first halfedge, each face and each vertex the halfedge that stands for it.
 inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& order, Mesh& copy,
                                const Concurrency concurrency = Concurrency())
 {
   using Size = Mesh::size_type;
   Numbering number;
-  copy.reserve(static_cast<Size>(order.size()), mesh.number_of_edges(), mesh.number_of_faces());
+  copy.resize(static_cast<Size>(order.size()), mesh.number_of_edges(), mesh.number_of_faces());
   number.vertex.resize(mesh.num_vertices());
-  for(Vertex v : order)
-    number.vertex[v] = copy.add_vertex(mesh.point(v));
+  parallel_for(concurrency, order.size(), [&](const std::size_t i) {
+    const Vertex v(static_cast<Size>(i));
+    number.vertex[order[i]] = v;
+    copy.point(v) = mesh.point(order[i]);
+  });
   const auto first_of_edge = [&](const std::size_t i) {
     const Edge e(static_cast<Size>(i));
     return mesh.is_removed(e) ? Vertex()
@@ -133,10 +136,6 @@ inline Numbering copy_in_order(const Mesh& mesh, const std::vector<Vertex>& orde
   parallel_invoke(
       concurrency, [&] { number.edge = number_by_vertices<Edge>(mesh.num_edges(), order.size(), first_of_edge); },
       [&] { number.face = number_by_vertices<Face>(mesh.num_faces(), order.size(), first_of_face); });
-  for(Size i = 0; i < mesh.number_of_edges(); ++i)
-    copy.add_edge();
-  for(Size i = 0; i < mesh.number_of_faces(); ++i)
-    copy.add_face();
   // In the order of the mesh: to write here and there takes less time than to read so.
   const auto copied = [&](const Halfedge h) { return copy.halfedge(number.edge[mesh.edge(h)], h.idx() & 1); };
   parallel_for(concurrency, mesh.num_halfedges(), [&](const std::size_t i) {
