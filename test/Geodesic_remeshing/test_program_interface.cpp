@@ -358,10 +358,10 @@ protected:
   }
 
   // The exit status; what is written to standard error is in `said`
-  int run_on_models(const std::string& program)
+  int run_on_models(const std::string& program, const std::string& options = "")
   {
     const std::string command = program + " '" + (folder / "models").string() + "' '" + (folder / "written").string() +
-                                "' --vertices 300 >/dev/null 2>'" + (folder / "said").string() + "'";
+                                "' --vertices 300" + options + " >/dev/null 2>'" + (folder / "said").string() + "'";
     const int status = WEXITSTATUS(std::system(command.c_str()));
     said = contents(folder / "said");
     return status;
@@ -397,6 +397,23 @@ TEST_F(Folder_of_models, remeshed_and_gone_on_with)
   EXPECT_EQ(fs::last_write_time(output("eight.off.off")), before);
   EXPECT_EQ(vertices_and_faces_of_off(output("damaged.off.off"))[0], 300u);
   EXPECT_FALSE(fs::exists(output("damaged.off.log")));
+}
+
+// By a stand-in for the program beside it, which writes a result that the check finds a fault in
+TEST_F(Folder_of_models, results_that_are_not_valid_are_made_again)
+{
+  const fs::path program = folder / "geodesic_remesh_folder";
+  fs::copy_file(FOLDER_PROGRAM, program);
+  const std::string stand_in = file("geodesic_remesh", "#!/bin/sh\necho OFF >\"$2\"\nexit 4\n");
+  fs::permissions(stand_in, fs::perms::owner_all);
+  for(const char* format : {" --output-format=ply", " --output-format ply"})
+    for(int round = 0; round < 2; ++round)
+    {
+      EXPECT_EQ(run_on_models("'" + program.string() + "'", format), 1);
+      EXPECT_NE(said.find("cube.off: the check found a fault"), std::string::npos) << said;
+      EXPECT_NE(said.find("0 models remeshed, 4 failed"), std::string::npos) << said;
+      EXPECT_TRUE(fs::exists(output("cube.off.ply")));
+    }
 }
 
 TEST_F(Folder_of_models, wrong_use_of_folders)

@@ -94,8 +94,10 @@ public:
     std::vector<std::string> words = {m_program, model.string(), result.string(),
                                       "--quiet", "--report",     beside(result, ".json").string()};
     words.insert(words.end(), m_options.begin(), m_options.end());
-    const bool is_done = run(words, log);
-    const Outcome outcome = is_done ? Outcome::done : interrupted != 0 ? Outcome::interrupted : Outcome::failed;
+    const int status = run(words, log);
+    const Outcome outcome = status == 0 ? Outcome::done : interrupted != 0 ? Outcome::interrupted : Outcome::failed;
+    if(outcome == Outcome::failed && status == not_valid)
+      std::ofstream(log) << "the check found a fault\n";
     std::error_code ignored;
     if(outcome != Outcome::failed)
       fs::remove(log, ignored);
@@ -111,12 +113,19 @@ public:
   }
 
 private:
+  static constexpr int not_valid = 4; // the exit status with --check
+
   // The result has the whole name of the model, so that a.off and a.obj do not write the same file.
   fs::path result_of(const fs::path& model) const
   {
-    const auto option = std::find(m_options.begin(), m_options.end(), "--output-format");
-    const bool is_told = option != m_options.end() && option + 1 != m_options.end();
-    return m_output / (model.filename().string() + "." + (is_told ? option[1] : "off"));
+    const std::string option = "--output-format";
+    std::string format = "off";
+    for(auto word = m_options.begin(); word != m_options.end(); ++word)
+      if(word->rfind(option + "=", 0) == 0)
+        format = word->substr(option.size() + 1);
+      else if(*word == option && word + 1 != m_options.end())
+        format = word[1];
+    return m_output / (model.filename().string() + "." + format);
   }
 
   static fs::path beside(const fs::path& result, const std::string& ending)
@@ -140,7 +149,8 @@ private:
       if(!entry.is_regular_file() || !is_mesh(entry.path()))
         continue;
       const fs::path result = result_of(entry.path());
-      if(fs::exists(result) && fs::last_write_time(result) >= entry.last_write_time())
+      if(fs::exists(result) && fs::last_write_time(result) >= entry.last_write_time() &&
+         !fs::exists(beside(result, ".log"))) // what has one is there, but not valid
         ++m_done_before;
       else
         m_models.push_back(entry.path());
@@ -150,8 +160,8 @@ private:
                      [](const fs::path& a, const fs::path& b) { return fs::file_size(a) > fs::file_size(b); });
   }
 
-  // A process with these words as its arguments; whether it ends with the exit status 0
-  static bool run(const std::vector<std::string>& words, const fs::path& log)
+  // A process with these words as its arguments; returns its exit status, -1 if it has none.
+  static int run(const std::vector<std::string>& words, const fs::path& log)
   {
     std::vector<char*> arguments;
     for(const std::string& word : words)
@@ -166,12 +176,12 @@ private:
     if(error != 0)
     {
       std::ofstream(log) << words[0] << " cannot be run\n";
-      return false;
+      return -1;
     }
     int status = 0;
     while(waitpid(process, &status, 0) == -1 && errno == EINTR)
       ; // a signal came in between
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
   fs::path m_input;

@@ -15,6 +15,7 @@
 #include <CGAL/IO/helpers.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <istream>
@@ -22,6 +23,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 namespace command_line {
 
@@ -31,7 +33,7 @@ inline std::string format_of(const std::string& file_name)
   return CGAL::IO::internal::get_file_extension(file_name);
 }
 
-// A file to read from as often as one likes. Standard input ("-") is kept in memory for that.
+// A file to read from as often as one likes. Standard input ("-") and pipes are kept in memory for that.
 class Input_file
 {
 public:
@@ -39,11 +41,16 @@ public:
   Input_file(const std::string& name, const std::string& format)
     : m_name(name == "-" ? "standard input" : name), m_format(format.empty() ? format_of(name) : format)
   {
-    if(name != "-")
-      return;
-    set_binary(stdin);
-    m_contents =
-        std::make_shared<std::string>(std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>());
+    if(name == "-")
+    {
+      set_binary(stdin);
+      keep(std::cin);
+    }
+    else if(is_stream(name))
+    {
+      std::ifstream in(name, std::ios::binary);
+      keep(in);
+    }
   }
 
   const std::string& name() const { return m_name; } // for messages
@@ -57,6 +64,18 @@ public:
   }
 
 private:
+  static bool is_stream(const std::string& name)
+  {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(name, error);
+    return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
+  }
+
+  void keep(std::istream& in)
+  {
+    m_contents = std::make_shared<std::string>(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+
   std::string m_name;
   std::string m_format;
   std::shared_ptr<const std::string> m_contents;

@@ -12,6 +12,7 @@
 
 #include "../include/mesh_quality.h"
 #include "interruption.h"
+#include "options.h"
 #include "system.h"
 
 #include <CGAL/Surface_mesh/IO.h>
@@ -59,10 +60,10 @@ public:
   void announce(const std::string& name)
   {
     namespace fs = std::filesystem;
-    const fs::path place(name);
+    const fs::path place(name), target = name == "-" ? fs::path() : target_of(place);
     for(const auto& file : m_files)
-      if(file.place == place)
-        throw Output_error(name + " is asked for twice");
+      if(file.target == target)
+        throw Usage_error(name + " is asked for twice");
     if(name == "-")
     {
       m_files.push_back({place, {}, {}});
@@ -70,19 +71,15 @@ public:
     }
     std::error_code error;
     // renaming a file onto a device would replace the device
-    if(fs::exists(place, error) && !fs::is_regular_file(place, error))
+    if(fs::exists(target, error) && !fs::is_regular_file(target, error))
       throw Output_error(name + " cannot be written: not a regular file");
-    // what a link points to is written, not the link
-    fs::path temporary = fs::is_symlink(place, error) ? fs::canonical(place, error) : place;
-    const fs::path target = temporary;
+    fs::path temporary = target;
     temporary.replace_filename("." + target.filename().string() + "." + process_id());
     m_interruption.add(temporary.string());
     m_files.push_back({place, target, temporary});
     errno = 0;
-    if(!std::ofstream(temporary))
+    if(!std::ofstream(temporary) || (fs::exists(target, error) && !std::ofstream(target, std::ios::app)))
       throw Output_error(name + " cannot be written" + reason());
-    if(fs::exists(target, error))
-      fs::permissions(temporary, fs::status(target, error).permissions(), error);
   }
 
   // `write` is given a stream, unless the file was not announced: no name, not wanted. The file counts as written only
@@ -120,6 +117,8 @@ public:
       if(file.place == "-")
         continue;
       std::error_code error;
+      if(std::filesystem::exists(file.target, error))
+        std::filesystem::permissions(file.temporary, std::filesystem::status(file.target, error).permissions(), error);
       std::filesystem::rename(file.temporary, file.target, error);
       if(error)
         throw Output_error(file.place.string() + " cannot be written: " + error.message());
@@ -147,6 +146,19 @@ private:
     std::filesystem::path target;
     std::filesystem::path temporary;
   };
+
+  // What a link points to is written, not the link; by the one name that a file has, however it is called.
+  static std::filesystem::path target_of(const std::filesystem::path& place)
+  {
+    constexpr int most_links = 40;
+    namespace fs = std::filesystem;
+    std::error_code error;
+    fs::path target = fs::absolute(place, error);
+    for(int links = 0; links < most_links && fs::is_symlink(target, error); ++links)
+      target = target.parent_path() / fs::read_symlink(target, error);
+    const fs::path folder = fs::weakly_canonical(target.parent_path(), error);
+    return (error ? target.parent_path() : folder) / target.filename();
+  }
 
   static std::string reason() { return errno == 0 ? "" : ": " + std::generic_category().message(errno); }
 

@@ -51,12 +51,9 @@ struct Polygon_allocator : std::allocator<T>
 
 using Polygon = std::vector<std::size_t, Polygon_allocator<std::size_t>>;
 
-// Nothing if it can be read only once
 inline std::size_t bytes_left(std::istream& in)
 {
   const auto start = in.tellg();
-  if(start < 0)
-    return static_cast<std::size_t>(-1);
   in.seekg(0, std::ios::end);
   const auto end = in.tellg();
   in.seekg(start);

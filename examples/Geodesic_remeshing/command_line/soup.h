@@ -19,10 +19,14 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <istream>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -69,6 +73,14 @@ private:
   std::streambuf* m_buffer;
 };
 
+inline std::string in_small_letters(std::istream& in)
+{
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 inline bool read_soup(const Input_file& file, Soup& soup)
 {
   const auto in = file.open();
@@ -85,8 +97,14 @@ inline bool read_soup(const Input_file& file, Soup& soup)
   CGAL::IO::set_binary_mode(*in); // a text may be taken for binary
   if(CGAL::IO::read_STL(*in, soup.points, soup.polygons))
     return true;
-  soup = Soup();
-  return CGAL::IO::read_STL(*file.open(), soup.points, soup.polygons, CGAL::parameters::use_binary_mode(false));
+  const auto read_text = [&](std::istream& text) {
+    soup = Soup();
+    return CGAL::IO::read_STL(text, soup.points, soup.polygons, CGAL::parameters::use_binary_mode(false));
+  };
+  if(read_text(*file.open()))
+    return true;
+  std::istringstream small(in_small_letters(*file.open())); // some programs write capital ones
+  return small.str().rfind("solid", 0) == 0 && read_text(small);
 }
 
 inline Soup read_soup(const Input_file& file)

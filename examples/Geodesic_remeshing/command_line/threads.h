@@ -16,6 +16,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -28,8 +29,9 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
   explicit Thread_limit(const std::optional<std::size_t>& number)
   {
+    constexpr std::size_t many = 4096;
     if(number)
-      m_limit.emplace(tbb::global_control::max_allowed_parallelism, *number);
+      m_limit.emplace(tbb::global_control::max_allowed_parallelism, (std::min)(*number, many));
   }
 
 private:

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ public:
   Transfer(bool is_wanted, const Input_file& file, Input& input, Mesh& output)
     : m_input(input.mesh), m_output(output),
       m_seams(input.mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first),
-      m_locations(output.add_property_map<Mesh::Vertex_index, Location>("v:location").first)
+      m_locations(output.add_property_map<Mesh::Vertex_index, Location>("v:place on input").first)
   {
     if(!is_wanted)
       return;
@@ -99,7 +100,8 @@ private:
     if(!read || m_file.number_of_vertices() != input.vertices_in_file ||
        m_file.number_of_faces() != input.faces_in_file)
       throw Input_error(file.name() + " has properties that cannot be read");
-    for(const std::string& name : m_file.properties<Mesh::Vertex_index>())
+    const std::vector<std::string> names = m_file.properties<Mesh::Vertex_index>();
+    for(const std::string& name : std::set<std::string>(names.begin(), names.end()))
       add_vertex_property<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
                           std::uint32_t, CGAL::IO::Color, mesh_quality::Kernel::Vector_3>(name);
     for(const std::string& name : m_file.properties<Mesh::Face_index>())
@@ -131,7 +133,8 @@ private:
       values[v] = (*in_file)[Mesh::Vertex_index(static_cast<Mesh::size_type>(index[v]))];
     m_vertex_properties.push_back([this, name, values] {
       CGAL::Geodesic_remeshing::transfer_vertex_property(
-          m_input, values, m_output, m_locations, m_output.add_property_map<Mesh::Vertex_index, Value>(name).first);
+          m_input, values, m_output, m_locations,
+          m_output.add_property_map<Mesh::Vertex_index, Value>(name == "v:point" ? "v:point_in_file" : name).first);
     });
   }
 
