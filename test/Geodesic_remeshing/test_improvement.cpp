@@ -443,7 +443,10 @@ TEST(Intersection_repair, what_is_given_up_is_not_forgotten)
   Mesh surface = plane(12);
   const auto vertices = static_cast<Mesh::size_type>(surface.number_of_vertices());
   for(Mesh::size_type v = 0; v < vertices; ++v)
-    surface.add_vertex(surface.point(Vertex(v)));
+  {
+    const Point p = surface.point(Vertex(v)); // which moves
+    surface.add_vertex(p);
+  }
   const auto faces = static_cast<Mesh::size_type>(surface.number_of_faces());
   for(Mesh::size_type f = 0; f < faces; ++f)
   {
