@@ -27,6 +27,17 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
+// What is in conflict; nothing where that is the input's doing, or so much of the mesh that it is not a few places that
+// need more vertices.
+inline Conflicts conflicts_worth_mending(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
+{
+  Conflicts conflicts = find_conflicts(remeshed);
+  if(conflicts.number == 0 || conflicts.number > most_conflicts(number_of_vertices) ||
+     is_input_in_conflict(remeshed.walker().surface(), places_of(remeshed, conflicts)))
+    return {};
+  return conflicts;
+}
+
 // Where a triangle is too large for what is near to it, it cuts through another sheet wherever its corners are, or
 // turns over in a fold: the surface needs smaller ones there. Those in conflict are divided until they are not, and as
 // many vertices are taken away elsewhere. That is kept if fewer conflicts are left, which matters more than angles;
@@ -40,8 +51,7 @@ public:
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_edge_length(edge_length)
   {}
 
-  // Returns what is left; nothing where that is the input's doing, or so much of the mesh that it is not a few places
-  // that need more vertices.
+  // Returns what is left and worth mending.
   Conflicts run(std::size_t number_of_vertices);
 
 private:
@@ -137,9 +147,8 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
 
 inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)
 {
-  const Conflicts conflicts = find_conflicts(m_remeshed);
-  if(conflicts.number == 0 || conflicts.number > most_conflicts(number_of_vertices) ||
-     is_input_in_conflict(m_remeshed.walker().surface(), places_of(m_remeshed, conflicts)))
+  const Conflicts conflicts = conflicts_worth_mending(m_remeshed, number_of_vertices);
+  if(conflicts.number == 0)
     return {};
   if(m_table.number_of_vertices() != number_of_vertices)
     return conflicts;

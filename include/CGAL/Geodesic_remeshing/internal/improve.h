@@ -259,9 +259,7 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
   if(remeshed.connectivity().number_of_vertices() != parameters.number_of_vertices)
   {
     Vertex_count(remeshed, parameters.edge_length).reach_at_any_cost(parameters.number_of_vertices);
-    conflicts = find_conflicts(remeshed);
-    if(conflicts.number > most_conflicts(parameters.number_of_vertices))
-      conflicts = {};
+    conflicts = conflicts_worth_mending(remeshed, parameters.number_of_vertices);
   }
   go_on(1.);
   return conflicts;

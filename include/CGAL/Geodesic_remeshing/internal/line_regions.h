@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -25,12 +26,16 @@ namespace internal {
 
 // Does the surface close to a tip around this vertex? On flat ground, too, fronts from a line meet, behind a hole for
 // one; a sample there would only disturb the rows. A tip misses an angle: here a tenth of a radian, at the vertices
-// within the distance of two curves.
+// around it up to some ring within the distance of two curves. Not at all within that distance: a horn has its tip and
+// its root there, which miss nothing together (on ChineseDragon with 500 vertices the Hausdorff distance was a fifth
+// larger).
 inline bool is_pointed(const Mesh& mesh, Vertex tip, double curve_distance)
 {
-  const double radius = curve_distance * (Metric(mesh).is_uniform() ? 1. : Metric(mesh).size(tip));
+  const Metric metric(mesh);
+  const double radius = curve_distance * (metric.is_uniform() ? 1. : metric.size(tip));
   double missing = 0.;
-  std::vector<Vertex> near(1, tip), sorted(1, tip);
+  std::vector<Vertex> near(1, tip);
+  std::set<Vertex> seen = {tip};
   for(std::size_t i = 0; i < near.size() && missing < .1; ++i)
   {
     if(mesh.is_border(near[i], false))
@@ -39,11 +44,8 @@ inline bool is_pointed(const Mesh& mesh, Vertex tip, double curve_distance)
     for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(near[i])))
     {
       const Vertex v = mesh.source(h);
-      const auto place = std::lower_bound(sorted.begin(), sorted.end(), v);
-      if((place != sorted.end() && *place == v) || squared_distance(mesh.point(v), mesh.point(tip)) > radius * radius)
-        continue;
-      sorted.insert(place, v);
-      near.push_back(v);
+      if(squared_distance(mesh.point(v), mesh.point(tip)) <= radius * radius && seen.insert(v).second)
+        near.push_back(v);
     }
   }
   return !(missing < .1);
