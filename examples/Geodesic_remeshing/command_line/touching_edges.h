@@ -55,11 +55,16 @@ private:
     std::vector<Pair> pairs;
   };
 
-  // Of the edge that this one is a part of, if edges were divided
+  // Of the edge that this one is a part of, if edges were divided. An edge from a middle to an apex is a part of none.
   Pair ends_of(const std::size_t low, const std::size_t high) const
   {
     const auto end = m_ends.find(high); // the later of the two
-    return end == m_ends.end() ? Pair(low, high) : end->second;
+    if(end == m_ends.end())
+      return {low, high};
+    const Pair& ends = end->second;
+    const auto other = m_ends.find(low);
+    const bool is_part = low == ends.first || low == ends.second || (other != m_ends.end() && other->second == ends);
+    return is_part ? ends : Pair(low, high);
   }
 
   // Around an edge from its one end to the other, a face that runs through it in this direction has the inside before
