@@ -227,6 +227,8 @@ Exit_status run(const Options& options)
   transfer.run();
   if(!options.quiet && !(options.feature_angle > 0.))
     tell_hint(command_line::hint_at_sharp_edges(input.mesh, report.summary.edge_length, output, is_line));
+  if(!options.quiet && options.feature_angle > 0.)
+    tell_hint(command_line::hint_at_many_lines(output, is_line));
   if(!options.quiet && options.protect)
     tell_hint(command_line::hint_at_short_kept_edges(report.summary.edge_length, output, is_line));
   if(!options.quiet)

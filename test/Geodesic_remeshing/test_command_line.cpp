@@ -1091,6 +1091,25 @@ TEST_F(Command_line, hints_at_short_edges_that_are_kept)
   EXPECT_EQ(run(sheet + " --vertices 900").err.find("edges kept"), std::string::npos);
 }
 
+// A comb of plates with sharp edges, and a few vertices
+TEST_F(Command_line, hints_at_more_lines_than_vertices_can_follow)
+{
+  std::ostringstream points, faces;
+  constexpr int n = 60;
+  for(int i = 0; i <= n; ++i)
+    points << i << " 0 " << i % 2 << "\n" << i << " 60 " << i % 2 << "\n";
+  for(int i = 0; i < n; ++i)
+    faces << "4 " << 2 * i << " " << 2 * i + 2 << " " << 2 * i + 3 << " " << 2 * i + 1 << "\n";
+  const std::string folds = file("folds.off", "OFF\n122 60 0\n" + points.str() + faces.str()) + " " + output();
+  const auto is_told = [&](const std::string& options) {
+    return run(folds + options).err.find("vertices lie on lines, which leaves few") != std::string::npos;
+  };
+  EXPECT_TRUE(is_told(" --vertices 400 --feature-angle 60"));
+  EXPECT_FALSE(is_told(" --vertices 400 --feature-angle 100"));
+  EXPECT_FALSE(is_told(" --vertices 40000 --feature-angle 60"));
+  EXPECT_FALSE(is_told(" --vertices 400 --feature-angle 60 --quiet"));
+}
+
 TEST_F(Command_line, hints_at_thin_places)
 {
   const auto hint = [&](const std::string& off, const std::string& target) {

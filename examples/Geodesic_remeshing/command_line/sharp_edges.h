@@ -89,6 +89,23 @@ inline std::string hint_at_sharp_edges(const Mesh& mesh, double edge_length, con
          " keeps them)";
 }
 
+// After remeshing with features. Machines with all their bundles of rods and letters have more lines than a small
+// number of vertices can follow.
+inline std::string hint_at_many_lines(const Mesh& output, Mesh::Property_map<Mesh::Edge_index, bool> is_line)
+{
+  std::size_t number = 0;
+  for(const auto v : output.vertices())
+  {
+    const auto around = output.halfedges_around_target(output.halfedge(v));
+    number += std::any_of(around.begin(), around.end(), [&](const auto h) { return is_line[output.edge(h)]; });
+  }
+  if(4 * number < 3 * output.number_of_vertices())
+    return "";
+  return std::to_string(number) + " of the " + std::to_string(output.number_of_vertices()) +
+         " vertices lie on lines, which leaves few for what is between them (more vertices, or a larger " +
+         "--feature-angle, give better triangles)";
+}
+
 // After remeshing with lines kept exactly. Where bodies were cut at each other these have edges of any length.
 inline std::string hint_at_short_kept_edges(double edge_length, const Mesh& output,
                                             Mesh::Property_map<Mesh::Edge_index, bool> is_line)
