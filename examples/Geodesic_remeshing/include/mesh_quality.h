@@ -22,6 +22,7 @@
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/centroid.h>
+#include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 #include <CGAL/tags.h>
 
@@ -36,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace mesh_quality {
@@ -205,7 +207,8 @@ inline Quality measure_quality(const Mesh& mesh)
 // The points of a surface that are nearest to given ones
 class Closest_point
 {
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  // With its triangle, which building the tree and searching in it ask for again and again
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, CGAL::Default, CGAL::Tag_true, CGAL::Tag_true>;
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
 
 public:
@@ -258,9 +261,15 @@ struct One_sided_distance
 template <typename Index, typename Point_of_index>
 void sort_in_space(std::vector<Index>& indices, const Point_of_index& point_of)
 {
-  const auto points = boost::make_function_property_map<Index, Point>(point_of);
-  CGAL::spatial_sort(indices.begin(), indices.end(),
+  using Item = std::pair<Point, Index>;
+  std::vector<Item> items;
+  items.reserve(indices.size());
+  for(const Index i : indices)
+    items.emplace_back(point_of(i), i);
+  const CGAL::First_of_pair_property_map<Item> points;
+  CGAL::spatial_sort(items.begin(), items.end(),
                      CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(points)>>(points));
+  std::transform(items.begin(), items.end(), indices.begin(), [](const Item& item) { return item.second; });
 }
 
 inline double farthest_vertex(const Mesh& from, Closest_point& to, std::size_t largest_number)
