@@ -13,6 +13,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -28,6 +29,7 @@ namespace {
 namespace GR = CGAL::Geodesic_remeshing;
 namespace gp = GR::parameters;
 using namespace GR::internal;
+using Index = Lean_triangulation::Index;
 
 #ifdef CGAL_LINKED_WITH_TBB
 // More threads than the machine may have processors, so that they interleave on any
@@ -232,6 +234,34 @@ TEST_F(Parallel, nearest_vertices_in_small_blocks)
   for(std::size_t x = 0; x < one.vertex.size(); ++x)
     different += one.vertex[x] != whole.vertex[x];
   EXPECT_LT(different, one.vertex.size() / 100);
+}
+
+// Several trials a round, on a mesh where their places crowd
+TEST_F(Parallel, trials_at_the_largest_deviations)
+{
+  namespace support = improvement_support;
+  const Mesh surface = sorted(support::torus(4));
+  const auto run = [&](const Concurrency concurrency, const std::size_t trials) {
+    support::Start start;
+    support::spoil(surface, .02, start);
+    const Surface_walker walker(surface);
+    Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained,
+                              Block_size{concurrency, 8});
+    const Nearest_vertices nearest(remeshed);
+    Deviation_descent(remeshed, nearest, badness_of_angle(20.)).run(trials, 0.);
+    const Deviations deviations(remeshed, nearest);
+    double largest = 0.;
+    std::vector<Point> points;
+    for(Index f = 0; f < remeshed.connectivity().face_slots(); ++f)
+      largest = (std::max)(largest, deviations.now({0., false, f}));
+    for(Index v = 0; v < remeshed.connectivity().vertex_slots(); ++v)
+      points.push_back(remeshed.spot(v).point);
+    return std::make_pair(largest, points);
+  };
+  const auto before = run(Concurrency(), 0), one = run(Concurrency(), 1000), many = run(Concurrency(parallel), 1000);
+  EXPECT_LT(one.first, .8 * before.first);
+  EXPECT_EQ(one.first, many.first);
+  EXPECT_EQ(one.second, many.second);
 }
 
 TEST_F(Parallel, closed_surface)

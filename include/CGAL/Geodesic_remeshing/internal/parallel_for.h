@@ -16,6 +16,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
@@ -152,6 +153,39 @@ void parallel_invoke(const Concurrency concurrency, const First& first, const Se
   first();
   second();
 }
+
+// An object for each thread that asks for one: memory that steps use again, without a trace of those before in what
+// they do.
+template <class T>
+class Per_thread
+{
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  template <class Make>
+  explicit Per_thread(const Make& make) : m_objects(make)
+  {}
+
+  T& local()
+  {
+    return m_objects.local();
+  }
+
+private:
+  tbb::enumerable_thread_specific<T> m_objects;
+#else
+  template <class Make>
+  explicit Per_thread(const Make& make) : m_object(make())
+  {}
+
+  T& local()
+  {
+    return m_object;
+  }
+
+private:
+  T m_object;
+#endif
+};
 
 // Sorts by a total order: with one in which different elements are equivalent the result would be any.
 template <class Iterator, class Less>
