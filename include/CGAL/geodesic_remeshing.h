@@ -43,8 +43,9 @@ namespace CGAL {
  * improved with the vertices walking on the input surface.
  *
  * The boundary of the surface, features, constrained edges and the borders of patches are <em>lines</em>: edges of the
- * output cover them, with vertices at even distances on them. Where they end, meet or turn sharply are
- * <em>corners</em>, which are vertices of the output. A line turns sharply at a vertex
+ * output cover them. Their vertices start at even distances, nearer to each other where two lines are, and slide along
+ * them in the improvement. Where lines end, meet or turn sharply are <em>corners</em>, which are vertices of the
+ * output. A line turns sharply at a vertex
  *
  * - where the chords on both sides of it, half an edge length of the output long, turn by 60 degrees;
  * - where they turn by 30, and the two edges there by 60;
@@ -197,10 +198,10 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{do_project}
  *     \cgalParamDescription{whether the vertices lie on the input surface. With `false` they leave it so that the mesh
- *                           as a whole is as near to the surface as its number of vertices and angles of 30 degrees
- *                           allow, in both directions: its largest distance is about a third and its RMS distance
- *                           half of those of a mesh with its vertices on the surface. Those on lines stay on their
- *                           lines, corners stay where they are.}
+ *                           as a whole is as near to the surface as its number of vertices and angles of about 31
+ *                           degrees allow, in both directions: its largest distance is about a third and its RMS
+ * distance half of those of a mesh with its vertices on the surface. Those on lines stay on their lines, corners stay
+ * where they are.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *     \cgalParamExtra{Without a `sizing_field` a mesh that is fitted has shorter edges where the surface bends, by
@@ -275,20 +276,24 @@ namespace CGAL {
  *
  * @throws std::invalid_argument if the input is empty, has a face that is not a triangle, an edge without faces, a
  * vertex where fans of faces touch or a coordinate that is not finite, if the target is not positive or asks for more
- * than 500,000,000 vertices, if `number_of_iterations` is negative, if the sizing field gives a vertex a length that is
- * not positive and finite or has a `nearness()` below 0 or above 10, if `gradation` or `maximum_length` is not
- * positive, `minimum_length` negative, infinite or above `maximum_length`, or if the surface has no area or edges would
- * be shorter than 1e-70 or longer than 1e70; the message says which vertex or face
- * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input need more
- * vertices, if `minimum_length` and `maximum_length` exclude the number asked for (the message says which numbers they
- * allow), if edges would not be longer than sixteen times the rounding of the largest coordinate, or if the visitor
- * stops the work
+ * than 500,000,000 vertices, if `number_of_iterations` is negative or `features_angle_bound` not positive, if the
+ * sizing field gives a vertex a length that is not positive and finite or has a `nearness()` below 0 or above 10, if
+ * `gradation` or `maximum_length` is not positive, `minimum_length` negative, infinite or above `maximum_length`, or if
+ * the surface has no area or edges would be shorter than 1e-70 or longer than 1e70; the message says which vertex or
+ * face
+ * @throws Geodesic_remeshing::Remeshing_error if the topology, the corners or the lines of the input, or handles, thin
+ * places and long thin parts of it, need more vertices, if `minimum_length` and `maximum_length` exclude the number
+ * asked for (the message says which numbers they allow), if edges would not be longer than sixteen times the rounding
+ * of the largest coordinate, or if the visitor stops the work
  *
  * Whatever is thrown, also by the visitor, by a map or field that is read, or because memory runs out: `out`, its
  * property maps and those of `tmesh` are left as they were, provided that writing to a map does not throw.
  * `stage_results` then has what the stages before made.
  *
- * \cgalBigO{(n + m) \log (n + m)} for an input of `n` and an output of `m` vertices.
+ * In practice \cgalBigO{(n + m) \log (n + m)} for an input of `n` vertices, once its long edges have been split, and an
+ * output of `m`. Flips to an intrinsic Delaunay triangulation, and vertices that the front meets again, have no such
+ * bound in the worst case. Where faces of the output intersect and those of the input do not, the stages are run again,
+ * twice to six times at the most.
  *
  * @sa `CGAL::Geodesic_remeshing::Curvature_sizing_field`
  * @sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
@@ -336,7 +341,7 @@ Geodesic_remeshing::Summary geodesic_remeshing(const TriangleMesh& tmesh, const 
   const Stages_work work{input.mesh, constraints, options, wants_regions};
   auto run = std::make_unique<Stages_run>();
   run_stages(work, asked, goal, clock, kept, *run);
-  if(options.do_project && !run->conflicts.empty())
+  if(options.do_project && !run->conflicts.places.empty())
     avoid_conflicts(work, target_again(asked, run->number_of_vertices), wishes, sizing_limits_of(np_in), clock, kept,
                     run);
   Placed_mesh& remeshed = run->remeshed;

@@ -116,9 +116,9 @@ struct Geodesic_diameter
  *
  * @return the two vertices, their distance and the number of runs; without faces, null vertices and 0
  *
- * @throws std::invalid_argument if a face is not a triangle, faces all around a vertex touch others there, a coordinate
- * is not finite, a weight not positive and finite, or the longest edge, times its weight, outside of 1e-70 to 1e70; the
- * message says which vertex or face
+ * @throws std::invalid_argument if a face is not a triangle, a closed fan of faces touches others at its vertex, a
+ * coordinate is not finite, a weight not positive and finite, or the longest edge, times its weight, outside of 1e-70
+ * to 1e70; the message says which vertex or face
  *
  * @sa `geodesic_distances()`
  */

@@ -137,10 +137,10 @@ void march_from(const Surface_sources<Metric>& sources, const Metric& metric, Fr
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * @throws std::invalid_argument if a face is not a triangle, faces all around a vertex touch others there, a coordinate
- * is not finite, a weight not positive and finite, the longest edge, times its weight, outside of 1e-70 to 1e70, the
- * maximum distance negative or not a number, or if the barycentric coordinates of a source are negative or do not add
- * up to one; the message says what is wrong where, and `vertex_distance_map` is left as it was
+ * @throws std::invalid_argument if a face is not a triangle, a closed fan of faces touches others at its vertex, a
+ * coordinate is not finite, a weight not positive and finite, the longest edge, times its weight, outside of 1e-70 to
+ * 1e70, the maximum distance negative or not a number, or if the barycentric coordinates of a source are negative or do
+ * not add up to one; the message says what is wrong where, and `vertex_distance_map` is left as it was
  *
  * @sa `geodesic_distances_from_curve()`
  * @sa `geodesic_diameter()`

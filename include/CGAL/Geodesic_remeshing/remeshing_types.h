@@ -66,10 +66,12 @@ struct Summary
 {
   std::size_t number_of_vertices = 0; ///< of the output
   std::size_t number_of_faces = 0;    ///< of the output
-  double edge_length = 0.;            ///< that an equilateral mesh of this area and this number of vertices would have
-  std::size_t number_of_regions = 0;  ///< of the region tree (paper, section 5)
-  std::size_t number_of_curves = 0;   ///< equidistant curves
-  std::size_t number_of_strips = 0;   ///< pieces that the curves divide the surface into
+  /// what edges aim at: that of an equilateral mesh of this area with the number of vertices that the target stands for
+  /// before the boundary, lines and topology are counted; with a sizing that of a uniform mesh of as many vertices
+  double edge_length = 0.;
+  std::size_t number_of_regions = 0; ///< of the region tree (paper, section 5)
+  std::size_t number_of_curves = 0;  ///< equidistant curves
+  std::size_t number_of_strips = 0;  ///< pieces that the curves divide the surface into
   /// with `do_project(false)`, the root of the mean square of the distances of points of the input from the output, as
   /// found at about four points a face
   double rms_distance = 0.;

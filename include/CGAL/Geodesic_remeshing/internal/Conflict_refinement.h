@@ -27,14 +27,14 @@ namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
 
-// What is in conflict; nothing where that is the input's doing, or so much of the mesh that it is not a few places that
-// need more vertices.
+// What is in conflict; but no faces where that is the input's doing, or so much of the mesh that it is not a few places
+// that need more vertices.
 inline Conflicts conflicts_worth_mending(const Remeshed_surface& remeshed, const std::size_t number_of_vertices)
 {
   Conflicts conflicts = find_conflicts(remeshed);
-  if(conflicts.number == 0 || conflicts.number > most_conflicts(number_of_vertices) ||
-     is_input_in_conflict(remeshed.walker().surface(), places_of(remeshed, conflicts)))
-    return {};
+  if(conflicts.number > most_conflicts(number_of_vertices) ||
+     is_input_in_conflict(remeshed.walker().surface(), places_of(remeshed, conflicts).places))
+    conflicts.faces.clear();
   return conflicts;
 }
 
@@ -51,7 +51,7 @@ public:
     : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_edge_length(edge_length)
   {}
 
-  // Returns what is left and worth mending.
+  // Returns what is left, without faces if it is not worth mending.
   Conflicts run(std::size_t number_of_vertices);
 
 private:
@@ -148,9 +148,7 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
 inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)
 {
   const Conflicts conflicts = conflicts_worth_mending(m_remeshed, number_of_vertices);
-  if(conflicts.number == 0)
-    return {};
-  if(m_table.number_of_vertices() != number_of_vertices)
+  if(conflicts.faces.empty() || m_table.number_of_vertices() != number_of_vertices)
     return conflicts;
   const double worst_before = worst_badness_of(m_remeshed), poor = badness_of_angle(15.);
   const Remeshed_surface::State state = m_remeshed.state();

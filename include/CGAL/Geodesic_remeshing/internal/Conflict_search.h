@@ -98,7 +98,7 @@ inline Conflicts find_conflicts(const Remeshed_surface& remeshed)
 // More are not a few places that need more vertices.
 inline std::size_t most_conflicts(const std::size_t number_of_vertices)
 {
-  return 80 + number_of_vertices / 200;
+  return 120 + number_of_vertices / 200;
 }
 
 // Of all faces
@@ -121,9 +121,15 @@ struct Conflict_place
   std::array<Face, 3> faces; // of the input, at the corners
 };
 
-inline std::vector<Conflict_place> places_of(const Remeshed_surface& remeshed, const Conflicts& conflicts)
+struct Conflict_places
 {
-  std::vector<Conflict_place> result;
+  std::size_t number = 0;             // of the conflicts
+  std::vector<Conflict_place> places; // of the faces in them; none if another attempt is not worth it
+};
+
+inline Conflict_places places_of(const Remeshed_surface& remeshed, const Conflicts& conflicts)
+{
+  Conflict_places result{conflicts.number, {}};
   for(const Lean_triangulation::Index f : conflicts.faces)
   {
     Conflict_place place{CGAL::centroid(triangle_of(remeshed, f)), 0., {}};
@@ -134,7 +140,7 @@ inline std::vector<Conflict_place> places_of(const Remeshed_surface& remeshed, c
       place.radius = (std::max)(place.radius, std::sqrt(squared_distance(place.center, spot.point)));
       place.faces[i] = spot.place.face;
     }
-    result.push_back(place);
+    result.places.push_back(place);
   }
   return result;
 }

@@ -205,7 +205,8 @@ inline void relax_angles(Remeshed_surface& remeshed, const std::vector<Quadric>&
     relax_angles(remeshed, planes, good, part, on_lines);
 }
 
-// Returns the conflicts that are worth another attempt: none also where they are too many, or the input's own.
+// Returns the conflicts that are left, without faces where another attempt is not worth it: if they are too many, or
+// the input's own.
 template <class Progress>
 Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& parameters, const Progress& go_on)
 {
@@ -274,10 +275,9 @@ Conflicts improve(Remeshed_surface& remeshed, const Improvement_parameters& para
 // Without iterations only the number of vertices is set, to show what the stages before made. Returns where faces that
 // intersect or are turned over are left, if another attempt is worth it.
 template <class Progress>
-std::vector<Conflict_place> improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
-                                    Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
-                                    const Constraints& constraints, const Improvement_parameters& parameters,
-                                    Progress&& go_on)
+Conflict_places improve(const Mesh& surface, Mesh& out, Mesh::Property_map<Vertex, Place> place,
+                        Mesh::Property_map<Vertex, bool> pinned, Mesh::Property_map<Edge, bool> constrained,
+                        const Constraints& constraints, const Improvement_parameters& parameters, Progress&& go_on)
 {
   const Surface_walker walker(surface, constraints, parameters.block_size.concurrency);
   Remeshed_surface remeshed(walker, constraints, out, place, pinned, constrained, parameters.block_size);

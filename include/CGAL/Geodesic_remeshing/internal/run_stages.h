@@ -55,7 +55,7 @@ struct Stages_run
   Stage_surfaces surfaces;
   Segmentation segmentation;
   Placed_mesh remeshed;
-  std::vector<Conflict_place> conflicts; // that are left
+  Conflict_places conflicts; // that are left
   std::size_t number_of_regions = 0, number_of_curves = 0, number_of_strips = 0;
 };
 
@@ -177,15 +177,15 @@ void avoid_conflicts(const Stages_work& work, const Any_target& target, const st
                      const Sizing_limits& limits, Clock& clock, Stage_results* kept, std::unique_ptr<Stages_run>& best)
 {
   static const double poor = badness_of_angle(10.);
-  std::vector<Conflict_place> conflicts = best->conflicts;
+  Conflict_places conflicts = best->conflicts;
   Angles angles = angles_of(best->remeshed.mesh);
   const std::size_t n = best->number_of_vertices;
   const int runs = n <= 4000 ? 6 : n <= 20000 ? 3 : 2; // each takes its time
   Conflict_sizing sizing(work.surface, wishes, limits);
   clock.repeat(true);
-  for(int i = 0; i < runs && !conflicts.empty(); ++i)
+  for(int i = 0; i < runs && !conflicts.places.empty(); ++i)
   {
-    sizing.shorten(conflicts);
+    sizing.shorten(conflicts.places);
     auto run = std::make_unique<Stages_run>();
     Stage_results stages;
     try
@@ -201,7 +201,7 @@ void avoid_conflicts(const Stages_work& work, const Any_target& target, const st
     }
     conflicts = run->conflicts;
     const Angles others = angles_of(run->remeshed.mesh);
-    if(conflicts.size() >= best->conflicts.size() || others.worst > (std::max)(angles.worst, poor))
+    if(conflicts.number >= best->conflicts.number || others.worst > (std::max)(angles.worst, poor))
     {
       if(angles.are_poor)
         break;
