@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -69,23 +68,20 @@ private:
   };
 
   std::vector<Bad> worse_than(double badness) const;
-  Zone zone_around(Index f) const;
-  bool better_around(Index f);
-  bool better_around_apart(Index f);
+  template <class Do_intersect>
+  bool better_around(Index f, const Do_intersect& do_intersect);
   bool better_by_flip(Index h);
   bool better_by_collapse(Index h);
   bool better_by_split(Index h);
   template <class Vertices>
   double badness_around(const Vertices& vertices) const;
   template <class Vertices>
-  void better_vertices(const Vertices& vertices)
+  bool keep_if_better(const Vertices& vertices, const double before)
   {
-    for(int round = 0; round < 2; ++round)
-      for(const Index v : vertices)
-        better_vertex(v);
+    return keep_if_better(vertices, before, [&](const Vertices& v) { return has_intersections_near(m_remeshed, v); });
   }
-  template <class Around, class Change>
-  bool keep_if_better(const Around& around, double most, const Change& change);
+  template <class Vertices, class Do_intersect>
+  bool keep_if_better(const Vertices& vertices, double before, const Do_intersect& do_intersect);
   double face_badness(Index f) const;
   std::size_t most() const
   {
@@ -118,9 +114,10 @@ inline void Polish::run_apart(const double badness)
   // Each looks at all faces: a hundred of up to 20,000 vertices, then fewer, for no more time than a pass takes.
   const std::size_t most = (std::min)(std::size_t(100), 1 + 4000000 / std::size_t(m_table.face_slots()));
   const std::vector<Bad> bad = worse_than(badness);
+  const auto do_intersect = [&](const Zone& zone) { return has_intersections_anywhere(m_remeshed, zone); };
   for(std::size_t i = 0; i < (std::min)(bad.size(), most); ++i)
     for(int round = 0; round < 3 && face_badness(bad[i].f) > badness; ++round)
-      if(!better_around_apart(bad[i].f))
+      if(!better_around(bad[i].f, do_intersect))
         break;
 }
 
@@ -143,7 +140,7 @@ inline std::size_t Polish::run(const double badness, const bool do_collapse)
         better_by_flip(h);
     });
     if(m_keep_regular && !is_mended())
-      better_around(x.f);
+      better_around(x.f, [&](const Zone& zone) { return has_intersections_near(m_remeshed, zone); });
     if(do_collapse)
       try_each([&](const Index h) {
         if(!better_by_collapse(h) && m_table.opposite(h) != Lean_triangulation::none)
@@ -193,36 +190,23 @@ double Polish::badness_around(const Vertices& vertices) const
   return sum;
 }
 
-// Keeps a change, which returns the vertices around what it has made of those `around`, if the triangles are better
-// than `most` then and no more of them intersect than before. Where sheets intersect, or of two faces that are turned
-// over beside each other one is still there, nothing could be mended else. Few changes lead to triangles that
-// intersect: those are made again.
-template <class Around, class Change>
-bool Polish::keep_if_better(const Around& around, const double most, const Change& change)
+// Ends a trial that began with `record()`.
+template <class Vertices, class Do_intersect>
+bool Polish::keep_if_better(const Vertices& vertices, const double before, const Do_intersect& do_intersect)
 {
-  constexpr std::size_t all = (std::numeric_limits<std::size_t>::max)();
-  const auto make = [&] {
-    const auto changed = change();
-    better_vertices(changed);
-    return changed;
-  };
-  m_remeshed.record();
-  const auto changed = make();
-  bool is_better = badness_around(changed) < most;
-  const std::size_t intersections = is_better ? number_of_intersections_near(m_remeshed, changed, all) : 0;
-  if(!is_better || intersections > 0)
+  for(int round = 0; round < 2; ++round)
+    for(const Index v : vertices)
+      better_vertex(v);
+  const bool is_better = badness_around(vertices) < before && !do_intersect(vertices);
+  if(!is_better)
     m_remeshed.undo_to({0, 0});
-  if(intersections > 0)
-  {
-    is_better = number_of_intersections_near(m_remeshed, around, intersections) >= intersections;
-    if(is_better)
-      make();
-  }
   m_remeshed.forget();
   return is_better;
 }
 
-inline Polish::Zone Polish::zone_around(const Index f) const
+// Where its own vertices cannot better a triangle, their neighbours may have to make room first.
+template <class Do_intersect>
+bool Polish::better_around(const Index f, const Do_intersect& do_intersect)
 {
   Zone zone;
   for(Index h = 4 * f; h < 4 * f + 3; ++h)
@@ -233,28 +217,9 @@ inline Polish::Zone Polish::zone_around(const Index f) const
         zone.push_back(v);
     });
   std::reverse(zone.begin(), zone.end());
-  return zone;
-}
-
-// Where its own vertices cannot better a triangle, their neighbours may have to make room first.
-inline bool Polish::better_around(const Index f)
-{
-  const Zone zone = zone_around(f);
-  return keep_if_better(zone, badness_around(zone), [&] { return zone; });
-}
-
-// The same, but never so that faces intersect, of whatever sheets
-inline bool Polish::better_around_apart(const Index f)
-{
-  const Zone zone = zone_around(f);
   const double before = badness_around(zone);
   m_remeshed.record();
-  better_vertices(zone);
-  const bool is_better = badness_around(zone) < before && !has_intersections_anywhere(m_remeshed, zone);
-  if(!is_better)
-    m_remeshed.undo_to({0, 0});
-  m_remeshed.forget();
-  return is_better;
+  return keep_if_better(zone, before, do_intersect);
 }
 
 inline bool Polish::better_by_flip(const Index h)
@@ -262,11 +227,11 @@ inline bool Polish::better_by_flip(const Index h)
   if(!m_table.is_flip_legal(h))
     return false;
   const Index o = m_table.opposite(h);
-  const std::array<Index, 4> around = {{m_table.source(h), m_table.target(h), m_table.apex(h), m_table.apex(o)}};
-  return keep_if_better(around, badness_around(around), [&] {
-    m_table.flip(h);
-    return around;
-  });
+  const std::array<Index, 4> vertices = {{m_table.source(h), m_table.target(h), m_table.apex(h), m_table.apex(o)}};
+  const double before = badness_around(vertices);
+  m_remeshed.record();
+  m_table.flip(h);
+  return keep_if_better(vertices, before);
 }
 
 inline bool Polish::better_by_collapse(const Index h)
@@ -275,11 +240,10 @@ inline bool Polish::better_by_collapse(const Index h)
     return false;
   const Index o = m_table.opposite(h), a = m_table.source(h), b = m_table.target(h), c = m_table.apex(h);
   const Index d = o == Lean_triangulation::none ? a : m_table.apex(o);
-  const std::array<Index, 4> around = {{a, b, c, d}}, left = {{a, a, c, d}};
-  return keep_if_better(around, badness_around(around), [&] {
-    m_table.collapse(h);
-    return left;
-  });
+  const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
+  m_remeshed.record();
+  m_table.collapse(h);
+  return keep_if_better(std::array<Index, 4>{{a, a, c, d}}, before);
 }
 
 // Between lines that are nearer to each other than their vertices there have to be more of these; and around a thin
@@ -295,15 +259,13 @@ inline bool Polish::better_by_split(const Index h)
   // Along a limb of three vertices around each betters the angles by little, until there are enough.
   static const double good = badness_of_angle(25.);
   const double least_gain = m_remeshed.has_lines() ? .6 : .9;
-  const std::array<Index, 4> around = {{a, b, c, d}};
-  const double before = badness_around(around);
-  const double most = (std::max)(least_gain * before, (std::min)(before, good));
+  const double before = badness_around(std::array<Index, 4>{{a, b, c, d}});
   m_remeshed.reserve_free(1);
-  return keep_if_better(around, most, [&] {
-    const Index w = m_table.split_edge(h);
-    m_remeshed.put_new(w, middle);
-    return std::array<Index, 5>{{w, a, b, c, d}};
-  });
+  m_remeshed.record();
+  const Index w = m_table.split_edge(h);
+  m_remeshed.put_new(w, middle);
+  return keep_if_better(std::array<Index, 5>{{w, a, b, c, d}},
+                        (std::max)(least_gain * before, (std::min)(before, good)));
 }
 
 } // namespace internal
