@@ -225,14 +225,15 @@ Exit_status run(const Options& options)
   report.is_fitted = options.fit;
   report.seconds = timer.time();
   transfer.run();
-  if(!options.quiet && !(options.feature_angle > 0.))
-    tell_hint(command_line::hint_at_sharp_edges(input.mesh, report.summary.edge_length, output, is_line));
-  if(!options.quiet && options.feature_angle > 0.)
-    tell_hint(command_line::hint_at_many_lines(output, is_line));
-  if(!options.quiet && options.protect)
-    tell_hint(command_line::hint_at_short_kept_edges(report.summary.edge_length, output, is_line));
   if(!options.quiet)
-    tell_hint(command_line::Thin_places(input.mesh, output).hint(options, report.summary.edge_length));
+  {
+    const double length = report.summary.edge_length;
+    tell_hint(options.feature_angle > 0. ? command_line::hint_at_many_lines(output, is_line)
+                                         : command_line::hint_at_sharp_edges(input.mesh, length, output, is_line));
+    if(options.protect)
+      tell_hint(command_line::hint_at_short_kept_edges(length, output, is_line));
+    tell_hint(command_line::Thin_places(input.mesh, output).hint(options, length));
+  }
 
   files.write(options.output,
               [&](std::ostream& out) { transfer.is_from_obj() ? transfer.write_obj(out) : write_output(out, output); });
