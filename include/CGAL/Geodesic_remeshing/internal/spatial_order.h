@@ -54,25 +54,31 @@ inline std::uint64_t spread_bits(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249ull;
 }
 
-// The vertices along a Morton curve through the bounding box, ties by index
-inline std::vector<Vertex> spatial_order(const Mesh& mesh, const Concurrency concurrency)
+// The vertices along a Morton curve through their bounding box, ties as they were
+inline std::vector<Vertex> spatial_order(const Mesh& mesh, std::vector<Vertex> vertices, const Concurrency concurrency)
 {
   Bbox_3 box;
-  for(Vertex v : mesh.vertices())
+  for(Vertex v : vertices)
     box += mesh.point(v).bbox();
   const double length = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
   const double scale = length > 0. ? 2097151. / length : 0.;
   const auto bits = [&](double x, double from) { return spread_bits(static_cast<std::uint64_t>((x - from) * scale)); };
-  std::vector<std::pair<std::uint64_t, Vertex>> keys(mesh.number_of_vertices());
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(vertices.size());
   parallel_for(concurrency, keys.size(), [&](const std::size_t i) {
-    const Vertex v(static_cast<Mesh::size_type>(i));
-    const Point& p = mesh.point(v);
-    keys[i] = {bits(p.x(), box.xmin()) | bits(p.y(), box.ymin()) << 1 | bits(p.z(), box.zmin()) << 2, v};
+    const Point& p = mesh.point(vertices[i]);
+    keys[i] = {bits(p.x(), box.xmin()) | bits(p.y(), box.ymin()) << 1 | bits(p.z(), box.zmin()) << 2,
+               static_cast<std::uint32_t>(i)};
   });
   parallel_sort(concurrency, keys.begin(), keys.end(), std::less<>());
   std::vector<Vertex> order(keys.size());
-  parallel_for(concurrency, keys.size(), [&](const std::size_t i) { order[i] = keys[i].second; });
+  parallel_for(concurrency, keys.size(), [&](const std::size_t i) { order[i] = vertices[keys[i].second]; });
   return order;
+}
+
+// Of all vertices of a mesh without removed ones
+inline std::vector<Vertex> spatial_order(const Mesh& mesh, const Concurrency concurrency)
+{
+  return spatial_order(mesh, std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end()), concurrency);
 }
 
 // The numbers that elements of a mesh have in its copy

@@ -18,7 +18,6 @@
 #include <CGAL/Geodesic_remeshing/internal/spatial_order.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -45,8 +44,8 @@ struct Placed_mesh
 };
 
 // The vertices that are left of the working surface in the order in which the mesh has them: that of the samples, which
-// runs along the curves, and vertices that had to stay last. What does not fit into a cache is put in that of the
-// places on the input, which is coherent in space.
+// runs along the curves, and vertices that had to stay last. What does not fit into a cache is put into an order in
+// space.
 inline std::vector<Vertex> order_of_dual(const Working_surface& working, const std::vector<Vertex>& samples,
                                          const Concurrency concurrency)
 {
@@ -62,22 +61,8 @@ inline std::vector<Vertex> order_of_dual(const Working_surface& working, const s
   for(Vertex v : working.mesh.vertices())
     if(!is_sample[v])
       order.push_back(v);
-  if(!is_large(order.size()))
-    return order;
-  struct Key
-  {
-    Face face;
-    std::uint32_t rank;
-    Vertex vertex;
-  };
-  std::vector<Key> keys(order.size());
-  parallel_for(concurrency, keys.size(), [&](const std::size_t i) {
-    keys[i] = {working.place[order[i]].face, static_cast<std::uint32_t>(i), order[i]};
-  });
-  parallel_sort(concurrency, keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::make_pair(a.face, a.rank) < std::make_pair(b.face, b.rank);
-  });
-  parallel_for(concurrency, keys.size(), [&](const std::size_t i) { order[i] = keys[i].vertex; });
+  if(is_large(order.size()))
+    return spatial_order(working.mesh, std::move(order), concurrency);
   return order;
 }
 
