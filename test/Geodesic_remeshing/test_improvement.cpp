@@ -463,3 +463,31 @@ TEST(Intersection_repair, what_is_given_up_is_not_forgotten)
   EXPECT_GT(number, surface.number_of_vertices());
   EXPECT_EQ(repair.run(badness_of_angle(30.), true), number);
 }
+
+// A turned face that a flip mends, beside a fold that it does not: that stays, and so do faces that intersect.
+TEST(Polish, turned_face_beside_a_fold_is_mended_if_intersections_may_be_left)
+{
+  const Mesh surface = plane(8);
+  const Surface_walker walker(surface);
+  Start start;
+  spoil(surface, 0., start);
+  const auto move = [&](const Index i, const Index j, const Vector& way) {
+    const Vertex v(j * 9 + i);
+    start.place[v] = walker.walk(start.place[v], way);
+    start.mesh.point(v) = walker.point(start.place[v]);
+  };
+  move(4, 3, Vector(-.7, .7, 0.));
+  move(5, 5, Vector(-1.4, 1.6, 0.));
+  for(const Vertex v : start.mesh.vertices())
+    start.pinned[v] = true;
+  Remeshed_surface remeshed(walker, Constraints(), start.mesh, start.place, start.pinned, start.constrained);
+  const auto turned = [&] { return find_turned_faces(remeshed).size(); };
+  const auto intersections = [&] { return Intersection_search(remeshed).run().size(); };
+  Polish(remeshed).run(2. * worst_badness, false);
+  const std::size_t turned_before = turned(), intersections_before = intersections();
+  EXPECT_GT(turned_before, 1);
+  EXPECT_GT(intersections_before, 0);
+  Polish(remeshed, false, true).run(2. * worst_badness, false);
+  EXPECT_LT(turned(), turned_before);
+  EXPECT_LE(intersections(), intersections_before);
+}

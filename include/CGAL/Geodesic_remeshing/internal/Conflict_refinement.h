@@ -55,6 +55,7 @@ public:
   Conflicts run(std::size_t number_of_vertices);
 
 private:
+  void polish_turned_faces(std::size_t number_of_vertices);
   void refine(const Conflicts& conflicts, std::size_t most_vertices);
   void divide(const std::vector<Index>& faces);
   bool divide_longest_edge(Index f);
@@ -145,8 +146,24 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
   m_zone = std::move(zone_of_best); // later ones name vertices that are not there any more
 }
 
+// Turned faces beside each other, or where sheets intersect, the input's own too, need a polish that leaves as many
+// intersections as there are. To part these here already, without more vertices, takes angles down to 10 degrees.
+inline void Conflict_refinement::polish_turned_faces(const std::size_t number_of_vertices)
+{
+  const std::size_t before = find_conflicts(m_remeshed).number;
+  if(before == 0 || m_table.number_of_vertices() != number_of_vertices)
+    return;
+  const Remeshed_surface::State state = m_remeshed.state();
+  for(int round = 0; round < 3; ++round)
+    if(Polish(m_remeshed, false, true).run(2. * worst_badness, false) == 0)
+      break;
+  if(find_conflicts(m_remeshed).number >= before)
+    m_remeshed.restore(state);
+}
+
 inline Conflicts Conflict_refinement::run(const std::size_t number_of_vertices)
 {
+  polish_turned_faces(number_of_vertices);
   const Conflicts conflicts = conflicts_worth_mending(m_remeshed, number_of_vertices);
   if(conflicts.faces.empty() || m_table.number_of_vertices() != number_of_vertices)
     return conflicts;

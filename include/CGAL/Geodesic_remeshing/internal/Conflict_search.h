@@ -95,7 +95,8 @@ inline Conflicts find_conflicts(const Remeshed_surface& remeshed)
   return result;
 }
 
-// More are not a few places that need more vertices.
+// More are not a few places that need more vertices: attempts take their time and leave most. The limit is not a fine
+// one: with 80 and with 250 in place of 120 the results are the same on CGAL's 148 meshes remeshed to 300 vertices.
 inline std::size_t most_conflicts(const std::size_t number_of_vertices)
 {
   return 120 + number_of_vertices / 200;

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -37,9 +38,11 @@ public:
   using Index = Lean_triangulation::Index;
 
   // If valences shall be kept regular, flips that make them less so are left to angles below 30 degrees, and more
-  // vertices are moved instead.
-  explicit Polish(Remeshed_surface& remeshed, const bool keep_regular = false)
-    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_keep_regular(keep_regular)
+  // vertices are moved instead. Flips that leave faces intersecting nearby are taken back, unless as many as before may
+  // be left: one of two turned faces beside each other, and what lies where sheets intersect, cannot be mended else.
+  explicit Polish(Remeshed_surface& remeshed, const bool keep_regular = false, const bool do_leave_as_many = false)
+    : m_remeshed(remeshed), m_table(remeshed.connectivity()), m_keep_regular(keep_regular),
+      m_do_leave_as_many(do_leave_as_many)
   {}
 
   // Treats every triangle worse than the given badness once, the worst first, but of very many no more than `most()`.
@@ -90,7 +93,7 @@ private:
 
   Remeshed_surface& m_remeshed;
   Lean_triangulation& m_table;
-  bool m_keep_regular;
+  bool m_keep_regular, m_do_leave_as_many;
 };
 
 inline double Polish::face_badness(const Index f) const
@@ -229,9 +232,13 @@ inline bool Polish::better_by_flip(const Index h)
   const Index o = m_table.opposite(h);
   const std::array<Index, 4> vertices = {{m_table.source(h), m_table.target(h), m_table.apex(h), m_table.apex(o)}};
   const double before = badness_around(vertices);
+  const auto intersections = [&](const std::size_t most) {
+    return number_of_intersections_near(m_remeshed, vertices, most);
+  };
+  const std::size_t left = m_do_leave_as_many ? intersections((std::numeric_limits<std::size_t>::max)()) : 0;
   m_remeshed.record();
   m_table.flip(h);
-  return keep_if_better(vertices, before);
+  return keep_if_better(vertices, before, [&](const auto&) { return intersections(left + 1) > left; });
 }
 
 inline bool Polish::better_by_collapse(const Index h)

@@ -121,9 +121,11 @@ inline bool do_faces_intersect(const Remeshed_surface& remeshed, const Lean_tria
   return do_intersect(opposite(h), t) || do_intersect(opposite(k), s);
 }
 
-// Whether a face at one of the vertices intersects one near them: no farther than two faces beyond.
+// How many pairs of a face at one of the vertices and one near them, no farther than two faces beyond, intersect; no
+// more than so many. A pair of two faces at the vertices counts twice.
 template <class Vertices>
-bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& vertices)
+std::size_t number_of_intersections_near(const Remeshed_surface& remeshed, const Vertices& vertices,
+                                         const std::size_t most)
 {
   using Index = Lean_triangulation::Index;
   const Lean_triangulation& table = remeshed.connectivity();
@@ -149,14 +151,22 @@ bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& ve
   std::vector<Face_box> boxes;
   for(const Index f : faces)
     boxes.push_back(box_of(remeshed, f));
-  for(const Index f : changed)
+  std::size_t number = 0;
+  for(std::size_t k = 0; k < changed.size() && number < most; ++k)
   {
+    const Index f = changed[k];
     const Face_box box = box_of(remeshed, f);
-    for(std::size_t i = 0; i < faces.size(); ++i)
-      if(f != faces[i] && do_overlap(box, boxes[i]) && do_faces_intersect(remeshed, f, faces[i]))
-        return true;
+    for(std::size_t i = 0; i < faces.size() && number < most; ++i)
+      number += f != faces[i] && do_overlap(box, boxes[i]) && do_faces_intersect(remeshed, f, faces[i]);
   }
-  return false;
+  return number;
+}
+
+// Whether any does
+template <class Vertices>
+bool has_intersections_near(const Remeshed_surface& remeshed, const Vertices& vertices)
+{
+  return number_of_intersections_near(remeshed, vertices, 1) > 0;
 }
 
 } // namespace internal
