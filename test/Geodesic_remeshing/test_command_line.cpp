@@ -505,7 +505,7 @@ TEST_F(Command_line, input_that_is_not_triangulated)
                                                "4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
   const auto outcome = run(pyramid + " " + output() + " --vertices 200");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.out.find("triangulated 1 faces with more than three vertices"), std::string::npos);
+  EXPECT_NE(outcome.out.find("triangulated 1 face with more than three vertices"), std::string::npos);
   EXPECT_NE(outcome.out.find("output         200       396      0      1"), std::string::npos);
   fs::remove(output());
   expect_failure(pyramid + " " + output() + " --vertices 200 --no-repair", 2, "face 0 has 4 vertices");
@@ -652,10 +652,10 @@ TEST_F(Command_line, input_that_is_no_mesh_is_repaired_or_refused)
   // two tetrahedra that share the vertex 0 only
   expect_repair(file("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
                                    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n"),
-                "vertex 0", "duplicated 1 vertices");
+                "vertex 0", "duplicated 1 vertex");
   // two triangles that share it
   expect_repair(file("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"), "vertex 0",
-                "duplicated 1 vertices");
+                "duplicated 1 vertex");
   expect_repair(file("fin.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n"
                                 "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n"),
                 "edge (0, 1) has 3 faces", "duplicated");
@@ -664,10 +664,10 @@ TEST_F(Command_line, input_that_is_no_mesh_is_repaired_or_refused)
       "not oriented", "turned");
   expect_repair(file("degenerate.off", std::string("OFF\n4 5 0\n") + tetrahedron_points +
                                            "3 0 2 1\n3 0 1 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-                "uses a vertex twice", "dropped 1 faces with a vertex twice");
+                "uses a vertex twice", "dropped 1 face with a vertex twice");
   expect_repair(file("twice.off", std::string("OFF\n4 5 0\n") + tetrahedron_points +
                                       "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 2 0 3\n"),
-                "faces", "dropped 1 duplicate faces");
+                "faces", "dropped 1 duplicate face");
   const std::string index =
       file("index.off", std::string("OFF\n4 4 0\n") + tetrahedron_points + "3 0 2 1\n3 0 1 7\n3 1 2 3\n3 2 0 3\n");
   expect_bad_input(index, "index.off");
@@ -737,7 +737,7 @@ TEST_F(Command_line, an_edge_of_walls_in_one_plane_is_halved_once)
            ".0902 -.00171 -.01\n.093 -.00171 -.01\n.093 -.00171 .01\n"
            "3 0 1 2\n3 1 3 2\n3 4 5 1\n3 1 5 6\n3 1 6 2\n3 2 6 7\n3 4 1 8\n3 8 1 9\n3 2 7 10\n3 1 2 9\n3 9 2 10\n");
   const Outcome outcome = run(walls + " " + output() + " --vertices 100 --check --report " + output("r.json"));
-  EXPECT_NE(outcome.out.find("parted 1 edges with four faces or more"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("parted 1 edge with four faces or more"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("NO"), std::string::npos) << outcome.out;
   EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["input"]["vertices"], 13);
 }
@@ -747,7 +747,7 @@ TEST_F(Command_line, branching_surface_is_cut_open)
   const std::string fin = file("fin.off", "OFF\n6 4 0\n0 0 0\n0 1 0\n1 0 0\n-1 0 0\n0 0 1\n0 1 1\n"
                                           "3 0 2 1\n3 0 1 3\n3 0 4 1\n3 1 4 5\n");
   const Outcome outcome = run(fin + " " + output() + " --vertices 100 --check --report " + output("r.json"));
-  EXPECT_NE(outcome.out.find("cut open 1 edges with three faces or more"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("cut open 1 edge with three faces or more"), std::string::npos) << outcome.out;
   EXPECT_EQ(nlohmann::json::parse(contents(output("r.json")))["output"]["components"], 3);
 }
 
@@ -933,8 +933,8 @@ TEST_F(Command_line, holes_are_filled_and_small_parts_dropped)
   EXPECT_EQ(of_output(" --drop-parts 99.9"), std::make_pair(1, 1)); // the largest stays
   EXPECT_EQ(of_output(" --drop-parts 1 --fill-holes 3"), std::make_pair(1, 0));
   const std::string told = run(scan + " " + output() + " --vertices 100 --drop-parts 1 --fill-holes 3").out;
-  EXPECT_NE(told.find("dropped 1 small parts"), std::string::npos) << told;
-  EXPECT_NE(told.find("filled 1 holes"), std::string::npos) << told;
+  EXPECT_NE(told.find("dropped 1 small part"), std::string::npos) << told;
+  EXPECT_NE(told.find("filled 1 hole"), std::string::npos) << told;
   for(const char* wrong : {" --drop-parts 0", " --drop-parts 100", " --drop-parts nan", " --fill-holes 2",
                            " --fill-holes 3 --no-repair", " --drop-parts 1 --no-repair"})
     EXPECT_EQ(run(scan + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;

@@ -84,10 +84,10 @@ inline void mend(Soup& soup, const Repair_options& options, std::vector<std::str
 {
   if(options.stitch_tolerance > 0.)
   {
-    tell(repairs, "stitched", stitch(soup, options.stitch_tolerance), "vertices of the boundary to others");
-    tell(repairs, "dropped", drop_degenerate_faces(soup), "faces with a vertex twice");
-    tell(repairs, "divided edges of the boundary at", stitch_t_junctions(soup, options.stitch_tolerance),
-         "vertices of others");
+    tell(repairs, "stitched", stitch(soup, options.stitch_tolerance), vertex_noun, " of the boundary to others");
+    tell(repairs, "dropped", drop_degenerate_faces(soup), face_noun, " with a vertex twice");
+    tell(repairs, "divided edges of the boundary at", stitch_t_junctions(soup, options.stitch_tolerance), vertex_noun,
+         " of others");
   }
   const auto wrong = fault(soup);
   if(wrong && !options.do_repair)
@@ -129,9 +129,11 @@ inline Input read_mesh(const Input_file& file, const Repair_options& options)
     internal::mend(soup, options, repairs);
     Input input{internal::make_mesh(soup), vertices_in_file, faces_in_file, {}};
     if(options.drop_parts > 0.)
-      internal::tell(repairs, "dropped", internal::drop_small_parts(input.mesh, options.drop_parts), "small parts");
+      internal::tell(repairs, "dropped", internal::drop_small_parts(input.mesh, options.drop_parts),
+                     internal::Noun{"small part", "small parts"});
     if(options.fill_holes > 0)
-      internal::tell(repairs, "filled", internal::fill_small_holes(input.mesh, options.fill_holes), "holes");
+      internal::tell(repairs, "filled", internal::fill_small_holes(input.mesh, options.fill_holes),
+                     internal::Noun{"hole", "holes"});
     internal::number_as_in_file(input.mesh, face, !repairs.empty());
     input.repairs = divisions;
     input.repairs.insert(input.repairs.end(), repairs.begin(), repairs.end());

@@ -50,10 +50,18 @@ inline bool has_open_seams(const Soup& soup)
   return std::adjacent_find(open.begin(), open.end()) != open.end();
 }
 
-inline void tell(std::vector<std::string>& repairs, const std::string& what, std::size_t number, const std::string& of)
+struct Noun
+{
+  const char *one, *many;
+};
+
+constexpr Noun face_noun{"face", "faces"}, edge_noun{"edge", "edges"}, vertex_noun{"vertex", "vertices"};
+
+inline void tell(std::vector<std::string>& repairs, const std::string& what, std::size_t number, const Noun& noun,
+                 const std::string& which = std::string())
 {
   if(number > 0)
-    repairs.push_back(what + " " + std::to_string(number) + " " + of);
+    repairs.push_back(what + " " + std::to_string(number) + " " + (number == 1 ? noun.one : noun.many) + which);
 }
 
 inline std::size_t drop_degenerate_faces(Soup& soup)
@@ -85,26 +93,28 @@ inline std::size_t number_of_edges_with_many_faces(const Soup& soup)
 inline std::vector<std::string> repair(Soup& soup)
 {
   std::vector<std::string> repairs;
-  tell(repairs, "merged", PMP::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons), "duplicate points");
-  tell(repairs, "dropped", drop_degenerate_faces(soup), "faces with a vertex twice");
-  tell(repairs, "dropped", Shared_walls(soup).drop(), "faces of walls between solids that touch");
+  tell(repairs, "merged", PMP::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons),
+       Noun{"duplicate point", "duplicate points"});
+  tell(repairs, "dropped", drop_degenerate_faces(soup), face_noun, " with a vertex twice");
+  tell(repairs, "dropped", Shared_walls(soup).drop(), face_noun, " of walls between solids that touch");
   tell(repairs, "dropped", PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons),
-       "duplicate faces");
+       Noun{"duplicate face", "duplicate faces"});
   if(soup.polygons.empty())
     throw Input_error("has no face left after repair");
   // Of internal walls and fins nothing tells which two of the faces at an edge go on in each other.
   const std::size_t many = number_of_edges_with_many_faces(soup), parted = Touching_edges(soup).part();
-  tell(repairs, "parted", parted, "edges with four faces or more, along which solids touch");
-  tell(repairs, "cut open", many - parted, "edges with three faces or more, at which the surface branches");
+  tell(repairs, "parted", parted, edge_noun, " with four faces or more, along which solids touch");
+  tell(repairs, "cut open", many - parted, edge_noun, " with three faces or more, at which the surface branches");
   check_orientability(soup, sorted_sides(soup));
   const std::vector<Polygon> before = soup.polygons;
   const std::size_t points = soup.points.size();
   PMP::orient_polygon_soup(soup.points, soup.polygons);
-  tell(repairs, "duplicated", soup.points.size() - points, "vertices that are not manifold");
+  tell(repairs, "duplicated", soup.points.size() - points,
+       Noun{"vertex that is not manifold", "vertices that are not manifold"});
   std::size_t turned = 0;
   for(std::size_t f = 0; f < before.size(); ++f)
     turned += is_turned(before[f], soup.polygons[f], soup.points);
-  tell(repairs, "turned", turned, "faces");
+  tell(repairs, "turned", turned, face_noun);
   return repairs;
 }
 

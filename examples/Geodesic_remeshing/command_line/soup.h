@@ -103,8 +103,9 @@ inline bool read_soup(const Input_file& file, Soup& soup)
   };
   if(read_text(*file.open()))
     return true;
-  std::istringstream small(in_small_letters(*file.open())); // some programs write capital ones
-  return small.str().rfind("solid", 0) == 0 && read_text(small);
+  const std::string small = in_small_letters(*file.open()); // some programs write capital ones
+  std::istringstream text(small);
+  return small.rfind("solid", 0) == 0 && read_text(text);
 }
 
 inline Soup read_soup(const Input_file& file)

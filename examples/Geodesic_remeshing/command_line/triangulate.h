@@ -96,7 +96,7 @@ inline std::vector<std::size_t> triangulate(Soup& soup, const Repair_options& op
     face_in_file.resize(triangles.size(), f);
   }
   soup.polygons = std::move(triangles);
-  tell(repairs, "triangulated", number_divided, "faces with more than three vertices");
+  tell(repairs, "triangulated", number_divided, face_noun, " with more than three vertices");
   return face_in_file;
 }
 

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_FIND_CORNERS_H
 
 #include <CGAL/Geodesic_remeshing/internal/Point_grid.h>
+#include <CGAL/Geodesic_remeshing/internal/angle_at.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
 #include <algorithm>
@@ -198,31 +199,15 @@ inline void find_corners(const Mesh& mesh, double edge_length, Constraints& cons
       constraints.is_corner[v.idx()] = 1;
 }
 
-// The sums of the angles of the faces at each vertex
-inline std::vector<double> angles_at_vertices(const Mesh& mesh)
-{
-  std::vector<double> angle(mesh.number_of_vertices(), 0.);
-  for(Face f : mesh.faces())
-  {
-    const auto v = vertices_of(mesh, f);
-    for(int i = 0; i < 3; ++i)
-    {
-      const Vector a(mesh.point(v[i]), mesh.point(v[(i + 1) % 3])), b(mesh.point(v[i]), mesh.point(v[(i + 2) % 3]));
-      angle[v[i]] += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
-    }
-  }
-  return angle;
-}
-
 // The tip of a cone is a feature of its own, where no line leads to it: here an angle of more than 90 degrees is
 // missing. Of several near to each other, as where a tip is many vertices at one point, the sharpest is one.
 inline void find_cone_tips(const Mesh& mesh, double edge_length, Constraints& constraints)
 {
-  const std::vector<double> angle = angles_at_vertices(mesh);
+  std::vector<double> angle(mesh.number_of_vertices(), 2. * CGAL_PI);
   const std::vector<int> degree = degrees_on_lines(mesh, [&](Edge e) { return constraints.is_line[e.idx()] != 0; });
   std::vector<Vertex> tips;
   for(Vertex v : mesh.vertices())
-    if(degree[v] == 0 && angle[v] < 1.5 * CGAL_PI)
+    if(degree[v] == 0 && (angle[v] = angle_at(mesh, v)) < 1.5 * CGAL_PI)
       tips.push_back(v);
   std::sort(tips.begin(), tips.end(),
             [&](Vertex v, Vertex w) { return angle[v] < angle[w] || (!(angle[w] < angle[v]) && v < w); });

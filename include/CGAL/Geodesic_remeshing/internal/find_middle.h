@@ -40,21 +40,10 @@ inline bool find_middle(const Remeshed_surface& remeshed, const Lean_triangulati
       middle = remeshed.spot_on_line(place);
     return place.face.is_valid();
   }
-  // Into the face, of those beside the line, from which the way leads there.
   const Remeshed_surface::Spot& start = remeshed.spot(from);
-  const Vector way = .5 * (remeshed.spot(to).point - start.point);
-  double least = infinity;
-  walker.for_each_face_at(start.place, [&](const Face f) {
-    const Place place = walker.walk({f, coordinates_in(walker.surface(), start.place, f)}, way);
-    const Point point = walker.point(place);
-    const double distance = squared_distance(point, start.point + way);
-    if(distance < least)
-    {
-      least = distance;
-      middle = {point, place, walker.normal(place.face), remeshed.metric().size(place)};
-    }
-  });
-  return least < infinity;
+  const Place place = walk_into(walker, start.place, .5 * (remeshed.spot(to).point - start.point));
+  middle = {walker.point(place), place, walker.normal(place.face), remeshed.metric().size(place)};
+  return true;
 }
 
 } // namespace internal

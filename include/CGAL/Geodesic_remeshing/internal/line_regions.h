@@ -12,7 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Metric.h>
 #include <CGAL/Geodesic_remeshing/internal/Segmentation.h>
-#include <CGAL/Geodesic_remeshing/internal/march_from_lines.h>
+#include <CGAL/Geodesic_remeshing/internal/angle_at.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Input_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/Surface_walker.h>
+#include <CGAL/Geodesic_remeshing/internal/walk_into.h>
 #include <CGAL/Geodesic_remeshing/internal/Working_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/interpolate.h>
 #include <CGAL/Geodesic_remeshing/internal/known_parameters.h>
@@ -26,25 +27,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-// At an edge or a vertex a walk may begin in any of the faces there: in the one from which it comes nearest to where it
-// is to go.
-inline Place walk_into(const Surface_walker& walker, const Place& from, const Vector& way)
-{
-  const Point goal = walker.point(from) + way;
-  Place best = from;
-  double least = infinity;
-  walker.for_each_face_at(from, [&](Face f) {
-    const Place place = walker.walk(Place{f, coordinates_in(walker.surface(), from, f)}, way);
-    const double distance = squared_distance(walker.point(place), goal);
-    if(distance < least)
-    {
-      least = distance;
-      best = place;
-    }
-  });
-  return best;
-}
 
 // Of the way from corner i of a face to its centre: where this part of it leads
 inline Place towards_centre(const Surface_walker& walker, const std::array<Place, 3>& corners, int i, double part)

@@ -11,6 +11,7 @@
 #define CGAL_GEODESIC_REMESHING_INTERNAL_MARCH_FROM_LINES_H
 
 #include <CGAL/Geodesic_remeshing/internal/Fast_marching.h>
+#include <CGAL/Geodesic_remeshing/internal/angle_at.h>
 #include <CGAL/Geodesic_remeshing/internal/trace_lines.h>
 
 #include <cmath>
@@ -21,20 +22,6 @@
 namespace CGAL {
 namespace Geodesic_remeshing {
 namespace internal {
-
-// The sum of the angles of the faces at a vertex
-inline double angle_at(const Mesh& mesh, Vertex v)
-{
-  double sum = 0.;
-  for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-  {
-    if(mesh.is_border(h))
-      continue;
-    const Vector a(mesh.point(v), mesh.point(mesh.source(h))), b(mesh.point(v), mesh.point(mesh.target(mesh.next(h))));
-    sum += std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
-  }
-  return sum;
-}
 
 // Does the boundary turn at this vertex of it, by more than 30 degrees?
 inline bool turns_at(const Mesh& mesh, Vertex v)
