@@ -12,6 +12,7 @@
 
 #include <CGAL/Geodesic_remeshing/internal/Remeshed_surface.h>
 #include <CGAL/Geodesic_remeshing/internal/types.h>
+#include <CGAL/Geodesic_remeshing/internal/walk_into.h>
 
 #include <utility>
 
