@@ -878,6 +878,9 @@ TEST_F(Command_line, boundaries_are_stitched_within_a_tolerance)
   EXPECT_EQ(loops(" --stitch 0.011"), 0);
   EXPECT_NE(run(halves + " " + output() + " --vertices 100 --stitch 0.011").out.find("stitched 2 vertices"),
             std::string::npos);
+  const Outcome nothing = run(halves + " " + output() + " --vertices 100 --stitch 100");
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("has no face left after stitching"), std::string::npos) << nothing.err;
   for(const char* wrong : {" --stitch 0", " --stitch -1", " --stitch nan", " --stitch 1 --no-repair"})
     EXPECT_EQ(run(halves + " " + output() + " --vertices 100" + wrong).status, 1) << wrong;
 }

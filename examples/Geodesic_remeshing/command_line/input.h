@@ -86,6 +86,8 @@ inline void mend(Soup& soup, const Repair_options& options, std::vector<std::str
   {
     tell(repairs, "stitched", stitch(soup, options.stitch_tolerance), vertex_noun, " of the boundary to others");
     tell(repairs, "dropped", drop_degenerate_faces(soup), face_noun, " with a vertex twice");
+    if(soup.polygons.empty())
+      throw Input_error("has no face left after stitching");
     tell(repairs, "divided edges of the boundary at", stitch_t_junctions(soup, options.stitch_tolerance), vertex_noun,
          " of others");
   }
