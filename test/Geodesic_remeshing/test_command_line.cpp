@@ -878,7 +878,8 @@ TEST_F(Command_line, boundaries_are_stitched_within_a_tolerance)
   EXPECT_EQ(loops(" --stitch 0.011"), 0);
   EXPECT_NE(run(halves + " " + output() + " --vertices 100 --stitch 0.011").out.find("stitched 2 vertices"),
             std::string::npos);
-  const Outcome nothing = run(halves + " " + output() + " --vertices 100 --stitch 100");
+  const std::string triangle = file("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Outcome nothing = run(triangle + " " + output() + " --vertices 100 --stitch 10");
   EXPECT_EQ(nothing.status, 2);
   EXPECT_NE(nothing.err.find("has no face left after stitching"), std::string::npos) << nothing.err;
   for(const char* wrong : {" --stitch 0", " --stitch -1", " --stitch nan", " --stitch 1 --no-repair"})
