@@ -147,12 +147,13 @@ inline void Conflict_refinement::refine(const Conflicts& conflicts, const std::s
 }
 
 // Turned faces beside each other, or where sheets intersect, the input's own too, need a polish that leaves as many
-// intersections as there are. To part these here already, without more vertices, takes angles down to 10 degrees.
+// intersections as there are. To part these as well, before faces are divided, made smallest angles of 24 to 37 degrees
+// 10 to 22 on boeing, elephant, femur and turbine with 300 vertices.
 inline void Conflict_refinement::polish_turned_faces(const std::size_t number_of_vertices)
 {
-  const std::size_t before = find_conflicts(m_remeshed).number;
-  if(before == 0 || m_table.number_of_vertices() != number_of_vertices)
+  if(m_table.number_of_vertices() != number_of_vertices || find_turned_faces(m_remeshed).empty())
     return;
+  const std::size_t before = find_conflicts(m_remeshed).number;
   const Remeshed_surface::State state = m_remeshed.state();
   for(int round = 0; round < 3; ++round)
     if(Polish(m_remeshed, false, true).run(2. * worst_badness, false) == 0)

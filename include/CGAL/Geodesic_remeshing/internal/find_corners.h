@@ -18,6 +18,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -203,18 +204,21 @@ inline void find_corners(const Mesh& mesh, double edge_length, Constraints& cons
 // missing. Of several near to each other, as where a tip is many vertices at one point, the sharpest is one.
 inline void find_cone_tips(const Mesh& mesh, double edge_length, Constraints& constraints)
 {
-  std::vector<double> angle(mesh.number_of_vertices(), 2. * CGAL_PI);
   const std::vector<int> degree = degrees_on_lines(mesh, [&](Edge e) { return constraints.is_line[e.idx()] != 0; });
-  std::vector<Vertex> tips;
+  std::vector<std::pair<double, Vertex>> tips; // the lower index of equals first
   for(Vertex v : mesh.vertices())
-    if(degree[v] == 0 && (angle[v] = angle_at(mesh, v)) < 1.5 * CGAL_PI)
-      tips.push_back(v);
-  std::sort(tips.begin(), tips.end(),
-            [&](Vertex v, Vertex w) { return angle[v] < angle[w] || (!(angle[w] < angle[v]) && v < w); });
+    if(degree[v] == 0)
+    {
+      const double angle = angle_at(mesh, v);
+      if(angle < 1.5 * CGAL_PI)
+        tips.emplace_back(angle, v);
+    }
+  std::sort(tips.begin(), tips.end());
   const Metric metric(mesh);
   Point_grid taken(edge_length, tips.size());
-  for(Vertex v : tips)
+  for(const auto& tip : tips)
   {
+    const Vertex v = tip.second;
     bool is_free = true;
     taken.near(mesh.point(v), metric.size(v), .5 * edge_length * metric.size(v),
                [&](std::uint32_t, const Point&, double) { is_free = false; });

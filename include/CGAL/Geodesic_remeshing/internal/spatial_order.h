@@ -55,7 +55,8 @@ inline std::uint64_t spread_bits(std::uint64_t x)
 }
 
 // The vertices along a Morton curve through their bounding box, ties as they were
-inline std::vector<Vertex> spatial_order(const Mesh& mesh, std::vector<Vertex> vertices, const Concurrency concurrency)
+inline std::vector<Vertex> spatial_order(const Mesh& mesh, const std::vector<Vertex>& vertices,
+                                         const Concurrency concurrency)
 {
   Bbox_3 box;
   for(Vertex v : vertices)

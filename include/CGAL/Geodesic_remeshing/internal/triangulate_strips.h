@@ -18,7 +18,6 @@
 #include <CGAL/Geodesic_remeshing/internal/spatial_order.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,7 +61,7 @@ inline std::vector<Vertex> order_of_dual(const Working_surface& working, const s
     if(!is_sample[v])
       order.push_back(v);
   if(is_large(order.size()))
-    return spatial_order(working.mesh, std::move(order), concurrency);
+    return spatial_order(working.mesh, order, concurrency);
   return order;
 }
 
